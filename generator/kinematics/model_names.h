@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+/// Names in emitted models: public API, shared by the writer, the plugin, the simulation and the
+/// tests.
+///
+/// Elements of one side end in `_r` or `_l`: joint and actuator `sc_protraction_r`, body
+/// `scapula_r`, site `TS_r`. Attaching a model to another one may put a prefix before them.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "kinematics/shoulder_pose.h"
+
+namespace girdle {
+
+/// The engine plugin's name in `<plugin plugin="...">`.
+inline constexpr const char* kPluginName = "girdle.rhythm";
+
+/// Keys of the plugin's configuration.
+inline constexpr const char* kInterpolationKey =
+    "interpolation";                                   ///< a word of kInterpolationNames
+inline constexpr const char* kClosureKey = "closure";  ///< a word of kClosureNames
+inline constexpr const char* kTableKey =
+    "table";  ///< RhythmTableToLine; the measured table if absent
+inline constexpr const char* kStiffnessKey =
+    "kp";  ///< one number, or nine as kCoordinateNames [N m/rad]
+
+inline constexpr std::size_t kCommandCount = 3;
+
+/// Stems of the command actuators, in the order of ArmCommand.
+inline constexpr std::array<std::string_view, kCommandCount> kCommandNames = {"elevation", "plane",
+                                                                              "axial"};
+
+/// Stem of the plugin's instance and of its sensor.
+inline constexpr std::string_view kRhythmName = "rhythm";
+
+/// What the plugin's sensor holds, all in radians.
+namespace sensor_layout {
+inline constexpr std::size_t kCommanded =
+    0;  ///< elevation, plane, axial as used, not clamped to the table
+inline constexpr std::size_t kReached =
+    kCommanded + kCommandCount;  ///< the same of the simulated humerus
+inline constexpr std::size_t kTarget = kReached + kCommandCount;   ///< nine joint targets
+inline constexpr std::size_t kError = kTarget + kCoordinateCount;  ///< nine, target minus position
+inline constexpr std::size_t kDistance =
+    kError + kCoordinateCount;  ///< of the command from measured data
+inline constexpr std::size_t kSize = kDistance + 1;
+}  // namespace sensor_layout
+
+/// Sides; a model of one side uses one of them.
+inline constexpr std::string_view kRightSuffix = "_r";
+
+[[nodiscard]] inline std::string SidedName(std::string_view stem, std::string_view suffix) {
+  return std::string(stem) + std::string(suffix);
+}
+
+/// Sites of landmarks bear the landmark's name (`TS_r`; `IJ`, which has no side). Where two bones
+/// meet the next bone has a site of its own at the same place, and the distance of the two is the
+/// joint's residual.
+struct JointSites {
+  std::string_view joint;
+  std::string_view parent;  ///< on the bone nearer to the thorax
+  std::string_view child;
+};
+inline constexpr std::array<JointSites, kJointCount> kJointSites = {{
+    {"SC", "SC", "SC_clavicle"},
+    {"AC", "PAC", "PAC_scapula"},
+    {"GH", "GH", "GH_humerus"},
+}};
+
+/// Keyframes of emitted models. `rest` is the lowest measured position of the frontal plane, where
+/// a model with all controls at zero stands.
+struct NamedPose {
+  std::string_view name;
+  double elevation_deg;
+  double plane_deg;
+};
+inline constexpr std::array<NamedPose, 6> kKeyframes = {{
+    {"rest", 0, 0},
+    {"abduction_30", 30, 0},
+    {"abduction_60", 60, 0},
+    {"abduction_90", 90, 0},
+    {"abduction_120", 120, 0},
+    {"flexion_90", 90, 90},
+}};
+
+}  // namespace girdle

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "kinematics/rhythm_table.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace girdle {
+namespace {
+
+void CheckKnots(const char* name, const std::vector<double>& knots_rad) {
+  if (knots_rad.size() < 2) {
+    throw std::invalid_argument(std::string(name) + ": " + std::to_string(knots_rad.size()) +
+                                " given, at least 2 are needed to interpolate");
+  }
+  for (std::size_t i = 0; i < knots_rad.size(); ++i) {
+    if (!std::isfinite(knots_rad[i])) {
+      throw std::invalid_argument(std::string(name) + "[" + std::to_string(i) + "] is not finite");
+    }
+    if (i > 0 && knots_rad[i] <= knots_rad[i - 1]) {
+      throw std::invalid_argument(std::string(name) + "[" + std::to_string(i) +
+                                  "] = " + std::to_string(DegreesFromRadians(knots_rad[i])) +
+                                  " deg does not increase");
+    }
+  }
+}
+
+}  // namespace
+
+RhythmTable::RhythmTable(std::vector<double> planes_rad, std::vector<double> elevations_rad,
+                         std::vector<RhythmPosition> positions)
+    : planes_rad_(std::move(planes_rad)),
+      elevations_rad_(std::move(elevations_rad)),
+      positions_(std::move(positions)) {
+  CheckKnots("planes", planes_rad_);
+  CheckKnots("elevations", elevations_rad_);
+  const std::size_t expected = planes_rad_.size() * elevations_rad_.size();
+  if (positions_.size() != expected) {
+    throw std::invalid_argument("the grid needs " + std::to_string(expected) + " positions, " +
+                                std::to_string(positions_.size()) + " given");
+  }
+  for (std::size_t i = 0; i < positions_.size(); ++i) {
+    for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+      // Written so that a NaN fails too.
+      if (!(std::abs(positions_[i].angles_rad[k]) <= kPi)) {
+        throw std::invalid_argument(
+            "position " + std::to_string(i) + ": " + std::string(kCoordinateNames[k]) + " = " +
+            std::to_string(DegreesFromRadians(positions_[i].angles_rad[k])) +
+            " deg is not within [-180, 180]");
+      }
+    }
+  }
+}
+
+}  // namespace girdle

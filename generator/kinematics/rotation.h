@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+/// Rotations as unit quaternions and as intrinsic Euler angles.
+///
+/// Frames are in the names: `q_AB` is the rotation of frame B in frame A, so that
+/// `v_A = q_AB * v_B` and adjacent letters match in a product, `q_AC = q_AB * q_BC`.
+/// All angles are radians. Functions are total: a unit quaternion of either sign is accepted,
+/// and none of them fails or allocates.
+#pragma once
+
+#include <glm/ext/matrix_double3x3.hpp>
+#include <glm/ext/quaternion_double.hpp>
+#include <glm/ext/vector_double3.hpp>
+#include <numbers>
+
+namespace girdle {
+
+using Quaternion = glm::dquat;
+using Vector3 = glm::dvec3;
+using Matrix3 = glm::dmat3;
+
+inline constexpr double kPi = std::numbers::pi;
+inline constexpr double kRadiansPerDegree = kPi / 180.0;
+inline constexpr double kDegreesPerRadian = 180.0 / kPi;
+
+[[nodiscard]] constexpr double RadiansFromDegrees(double angle_deg) noexcept {
+  return angle_deg * kRadiansPerDegree;
+}
+[[nodiscard]] constexpr double DegreesFromRadians(double angle_rad) noexcept {
+  return angle_rad * kDegreesPerRadian;
+}
+
+/// Order in which three turns about the moving axes are applied; the first letter turns first.
+enum class EulerSequence {
+  kYXZ,  ///< Y-X'-Z'': sternoclavicular, acromioclavicular, scapulothoracic
+  kXZY,  ///< X-Z'-Y'': glenohumeral
+  kYXY,  ///< Y-X'-Y'': humerothoracic (plane, minus elevation, axial)
+};
+
+/// Returns the unit quaternion of three intrinsic turns [rad], in the order of `sequence`.
+[[nodiscard]] Quaternion QuaternionFromEuler(EulerSequence sequence,
+                                             const Vector3& angles_rad) noexcept;
+
+/// Returns the three intrinsic angles [rad] of a unit quaternion, the inverse of
+/// QuaternionFromEuler.
+///
+/// Ranges: first and third in [-pi, pi]; the second in [-pi/2, pi/2] for kYXZ and kXZY, in
+/// [-pi, 0] for kYXY (raising an arm is a negative turn about x). Where the first and the third
+/// axis coincide (second angle at the end of its range) only their sum or difference is determined
+/// and the angles remain finite.
+[[nodiscard]] Vector3 EulerFromQuaternion(EulerSequence sequence, const Quaternion& q_AB) noexcept;
+
+/// Returns the rotation vector [rad] of a unit quaternion: axis times angle, angle in [0, pi].
+[[nodiscard]] Vector3 Log(const Quaternion& q_AB) noexcept;
+
+/// Returns the unit quaternion of a rotation vector [rad] of any length.
+[[nodiscard]] Quaternion Exp(const Vector3& rotation_vector_rad) noexcept;
+
+/// Returns the angle [rad] in [0, pi] between two rotations of the same frames, precise near 0.
+[[nodiscard]] double AngleBetween(const Quaternion& a, const Quaternion& b) noexcept;
+
+/// Returns `q_AB` or its negative, whichever lies in the half space of `reference`.
+[[nodiscard]] Quaternion AlignedWith(const Quaternion& q_AB, const Quaternion& reference) noexcept;
+
+}  // namespace girdle

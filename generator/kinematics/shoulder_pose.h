@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+/// The three joint rotations of a right shoulder, their nine measured angles, and the arm they
+/// produce.
+///
+/// Frames (ISB; x anterior, y up, z to the right): T thorax, C clavicle, S scapula, H humerus. The
+/// humerus's y runs from the elbow up, so a hanging arm points along -y. A left shoulder is the
+/// mirror image in the sagittal plane and has the same angles.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+#include "kinematics/rotation.h"
+
+namespace girdle {
+
+inline constexpr std::size_t kJointCount = 3;
+inline constexpr std::size_t kCoordinateCount = 9;
+
+/// Names of the nine joint coordinates in turning order: SC (Y-X'-Z''), AC (Y-X'-Z''), GH
+/// (X-Z'-Y''). They are the stems of joints and actuators in models (`sc_protraction_r`) and of
+/// columns (`sc_protraction_deg`).
+inline constexpr std::array<std::string_view, kCoordinateCount> kCoordinateNames = {
+    "sc_protraction",        // protraction +
+    "sc_elevation",          // elevation -, depression +
+    "sc_rotation",           // posterior rotation +
+    "ac_internal_rotation",  // internal rotation +
+    "ac_upward_rotation",    // upward rotation -
+    "ac_tilt",               // posterior tilt +
+    "gh_elevation",          // elevation -
+    "gh_flexion",            // flexion +
+    "gh_axial",              // internal rotation +
+};
+
+/// Position of the humerus's own long-axis angle among the coordinates.
+inline constexpr std::size_t kGhAxialIndex = 8;
+
+/// Euler sequences of SC, AC and GH, in this order.
+inline constexpr std::array<EulerSequence, kJointCount> kJointSequences = {
+    EulerSequence::kYXZ, EulerSequence::kYXZ, EulerSequence::kXZY};
+
+/// Nine joint angles [rad] in the order of kCoordinateNames.
+using JointAngles = std::array<double, kCoordinateCount>;
+
+/// Rotations of the sternoclavicular, acromioclavicular and glenohumeral joints.
+struct ShoulderPose {
+  Quaternion q_TC;  ///< clavicle in thorax
+  Quaternion q_CS;  ///< scapula in clavicle
+  Quaternion q_SH;  ///< humerus in scapula
+
+  /// Scapula in thorax.
+  [[nodiscard]] Quaternion q_TS() const noexcept { return q_TC * q_CS; }
+  /// Humerus in thorax.
+  [[nodiscard]] Quaternion q_TH() const noexcept { return q_TC * q_CS * q_SH; }
+};
+
+/// Where the humerus is in the thorax: Y-X'-Y'' with the sign of the second angle turned.
+struct ArmAngles {
+  double elevation_rad;  ///< angle between the humerus and hanging down, [0, pi]
+  double plane_rad;  ///< 0 frontal, pi/2 sagittal (forward), (-pi, pi]; no meaning at elevation 0
+                     ///< and pi
+  double axial_rad;  ///< turn about the long axis after plane and elevation, internal +, (-pi, pi]
+};
+
+[[nodiscard]] ShoulderPose PoseFromAngles(const JointAngles& angles_rad) noexcept;
+
+/// Returns the nine angles [rad] of a pose; ranges as in EulerFromQuaternion.
+[[nodiscard]] JointAngles AnglesFromPose(const ShoulderPose& pose) noexcept;
+
+[[nodiscard]] ArmAngles ArmAnglesFromRotation(const Quaternion& q_TH) noexcept;
+
+}  // namespace girdle

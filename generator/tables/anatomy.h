@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+/// Bones, masses, joint ranges and thorax surfaces of one right shoulder.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <istream>
+#include <string>
+#include <string_view>
+
+#include "kinematics/shoulder_pose.h"
+
+namespace girdle {
+
+enum class Segment { kThorax, kClavicle, kScapula, kHumerus };
+inline constexpr std::size_t kSegmentCount = 4;
+inline constexpr std::array<std::string_view, kSegmentCount> kSegmentNames = {"thorax", "clavicle",
+                                                                              "scapula", "humerus"};
+
+/// Bony landmarks, ISB abbreviations.
+enum class Landmark {
+  kIJ,   ///< jugular notch, the thorax's origin
+  kPX,   ///< xiphoid process
+  kC7,   ///< seventh cervical vertebra
+  kT8,   ///< eighth thoracic vertebra
+  kSC,   ///< sternoclavicular joint, the clavicle's origin
+  kPAC,  ///< most dorsal point of the AC joint: the clavicle's end and the scapula's origin
+  kTS,   ///< root of the scapular spine
+  kAI,   ///< inferior angle
+  kAA,   ///< acromial angle
+  kPC,   ///< coracoid process
+  kACJ,  ///< centre of the AC joint
+  kGC,   ///< centre of the glenoid
+  kGH,   ///< glenohumeral rotation centre, the humerus's origin
+  kEM,   ///< medial epicondyle
+  kEL,   ///< lateral epicondyle
+};
+inline constexpr std::size_t kLandmarkCount = 15;
+
+struct LandmarkDefinition {
+  std::string_view name;
+  Segment segment;    ///< in whose frame it is given
+  bool sided = true;  ///< false in the mid-plane of the body
+};
+
+/// In the order of Landmark.
+inline constexpr std::array<LandmarkDefinition, kLandmarkCount> kLandmarks = {{
+    {"IJ", Segment::kThorax, false},
+    {"PX", Segment::kThorax, false},
+    {"C7", Segment::kThorax, false},
+    {"T8", Segment::kThorax, false},
+    {"SC", Segment::kThorax},
+    {"PAC", Segment::kClavicle},
+    {"TS", Segment::kScapula},
+    {"AI", Segment::kScapula},
+    {"AA", Segment::kScapula},
+    {"PC", Segment::kScapula},
+    {"ACJ", Segment::kScapula},
+    {"GC", Segment::kScapula},
+    {"GH", Segment::kScapula},
+    {"EM", Segment::kHumerus},
+    {"EL", Segment::kHumerus},
+}};
+
+/// Mass properties in the segment's own frame; the principal axes are the frame's.
+struct SegmentInertia {
+  double mass_kg = 0;
+  Vector3 center_of_mass_m{0, 0, 0};
+  Vector3 inertia_kg_m2{0, 0, 0};  ///< about the centre of mass, along x, y, z
+};
+
+struct CoordinateRange {
+  double lower_rad = 0;
+  double upper_rad = 0;
+};
+
+/// Surface in the thorax frame, axes parallel to it.
+struct Ellipsoid {
+  Vector3 center_m{0, 0, 0};
+  Vector3 radii_m{0, 0, 0};
+};
+
+struct Anatomy {
+  std::array<Vector3, kLandmarkCount> landmarks_m{};  ///< each in the frame of its segment
+  std::array<SegmentInertia, kSegmentCount> segments{};
+  std::array<CoordinateRange, kCoordinateCount> ranges{};  ///< in the order of kCoordinateNames
+  Ellipsoid ribcage;                                       ///< what is drawn as the thorax
+  Ellipsoid gliding;                                       ///< what the scapula glides on
+
+  [[nodiscard]] const Vector3& landmark_m(Landmark landmark) const noexcept {
+    return landmarks_m[static_cast<std::size_t>(landmark)];
+  }
+  [[nodiscard]] const SegmentInertia& segment(Segment segment) const noexcept {
+    return segments[static_cast<std::size_t>(segment)];
+  }
+  /// Middle between the epicondyles, humerus frame [m].
+  [[nodiscard]] Vector3 elbow_m() const noexcept {
+    return (landmark_m(Landmark::kEM) + landmark_m(Landmark::kEL)) / 2.0;
+  }
+};
+
+/// Each reads one file of an anatomy into `anatomy` and throws InputError, with file and line, at
+/// the first value that cannot be: unknown, missing or repeated rows, a landmark given in another
+/// segment's frame or more than a metre away (millimetres where metres are meant), a mass, inertia
+/// or radius that is not positive, an inertia that no body can have, an empty range.
+void ReadLandmarks(std::istream& in, const std::string& name, Anatomy& anatomy);
+void ReadSegments(std::istream& in, const std::string& name, Anatomy& anatomy);
+void ReadJointRanges(std::istream& in, const std::string& name, Anatomy& anatomy);
+void ReadThoraxEllipsoids(std::istream& in, const std::string& name, Anatomy& anatomy);
+
+}  // namespace girdle

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "tables/built_in.h"
+
+#include <sstream>
+#include <string>
+
+#include "tables/built_in_files.h"
+#include "tables/rhythm_table_csv.h"
+
+namespace girdle {
+
+RhythmTable BuiltInRhythmTable() {
+  std::istringstream in{std::string(built_in_files::kLudewig2009)};
+  return ReadRhythmTable(in, "data/ludewig2009.csv");
+}
+
+Anatomy BuiltInAnatomy() {
+  Anatomy anatomy;
+  std::istringstream landmarks{std::string(built_in_files::kLandmarks)};
+  ReadLandmarks(landmarks, "data/landmarks.csv", anatomy);
+  std::istringstream segments{std::string(built_in_files::kSegments)};
+  ReadSegments(segments, "data/segments.csv", anatomy);
+  std::istringstream ranges{std::string(built_in_files::kJointRanges)};
+  ReadJointRanges(ranges, "data/joint_ranges.csv", anatomy);
+  std::istringstream ellipsoids{std::string(built_in_files::kThoraxEllipsoids)};
+  ReadThoraxEllipsoids(ellipsoids, "data/thorax_ellipsoids.csv", anatomy);
+  return anatomy;
+}
+
+}  // namespace girdle

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+/// Configuration of one instance of the plugin, from the texts of its `<config>` elements.
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "kinematics/shoulder_rhythm.h"
+
+namespace girdle {
+
+/// The texts as given; empty where absent.
+struct RhythmConfigText {
+  std::string interpolation;
+  std::string closure;
+  std::string table;
+  std::string stiffness;
+};
+
+struct RhythmConfig {
+  ShoulderRhythm rhythm;
+  std::array<double, kCoordinateCount> stiffness_N_m_per_rad;  ///< in the order of kCoordinateNames
+};
+
+/// Returns the validated configuration. Throws std::runtime_error that names key, value and the
+/// fix.
+[[nodiscard]] RhythmConfig ParseRhythmConfig(const RhythmConfigText& text);
+
+}  // namespace girdle
