@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "mjcf/scene.h"
+
+#include <array>
+
+#include "mjcf/xml_element.h"
+
+namespace girdle {
+namespace {
+
+// What the cameras look at: between the jugular notch and the arm, in the world [m].
+const Vector3 kCenter_m{-0.05, -0.15, 1.3};
+constexpr double kExtent_m = 0.7;
+constexpr double kCameraDistance_m = 1.3;
+
+void WriteCamera(XmlElement& world, const char* name, const Vector3& direction,
+                 const std::array<double, 6>& xyaxes) {
+  world.Add("camera")
+      .Set("name", name)
+      .Set("pos", kCenter_m + kCameraDistance_m * direction)
+      .Set("xyaxes", xyaxes);
+}
+
+}  // namespace
+
+std::string SceneXml(const std::string& model_file) {
+  XmlFile file("mujoco");
+  XmlElement root = file.root();
+  root.Set("model", "girdle scene");
+  root.Add("include").Set("file", model_file);
+  root.Add("statistic").Set("center", kCenter_m).Set("extent", kExtent_m);
+  XmlElement visual = root.Add("visual");
+  visual.Add("headlight")
+      .Set("diffuse", std::array{0.5, 0.5, 0.5})
+      .Set("ambient", std::array{0.35, 0.35, 0.35})
+      .Set("specular", std::array{0.0, 0.0, 0.0});
+  visual.Add("global").Set("azimuth", 215).Set("elevation", -15);
+  XmlElement asset = root.Add("asset");
+  asset.Add("texture")
+      .Set("type", "skybox")
+      .Set("builtin", "gradient")
+      .Set("rgb1", std::array{0.85, 0.89, 0.93})
+      .Set("rgb2", std::array{0.45, 0.52, 0.6})
+      .Set("width", 256)
+      .Set("height", 1536);
+  asset.Add("texture")
+      .Set("name", "floor")
+      .Set("type", "2d")
+      .Set("builtin", "checker")
+      .Set("rgb1", std::array{0.62, 0.64, 0.66})
+      .Set("rgb2", std::array{0.56, 0.58, 0.6})
+      .Set("width", 256)
+      .Set("height", 256);
+  asset.Add("material")
+      .Set("name", "floor")
+      .Set("texture", "floor")
+      .Set("texuniform", "true")
+      .Set("texrepeat", std::array{2.0, 2.0});
+  XmlElement world = root.Add("worldbody");
+  world.Add("light")
+      .Set("pos", Vector3{1.5, -1.0, 3.0})
+      .Set("dir", Vector3{-0.5, 0.3, -0.8})
+      .Set("diffuse", std::array{0.5, 0.5, 0.5});
+  world.Add("geom")
+      .Set("name", "floor")
+      .Set("type", "plane")
+      .Set("size", Vector3{0, 0, 0.05})
+      .Set("material", "floor");
+  // A camera looks along its -z; the first three numbers are its x (right), the others its y (up).
+  WriteCamera(world, "front", {1, 0, 0}, {0, 1, 0, 0, 0, 1});
+  WriteCamera(world, "back", {-1, 0, 0}, {0, -1, 0, 0, 0, 1});
+  WriteCamera(world, "above", {0, 0, 1}, {0, -1, 0, 1, 0, 0});
+  WriteCamera(world, "oblique", {0.6, -0.64, 0.48}, {0.7295, 0.684, 0, -0.3283, 0.3502, 0.8773});
+  return file.Text();
+}
+
+}  // namespace girdle

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+/// The scene around a model.
+#pragma once
+
+#include <string>
+
+namespace girdle {
+
+/// Returns a scene as XML: floor, lights and the cameras front, back, above and oblique around the
+/// model in `model_file`, which it includes.
+[[nodiscard]] std::string SceneXml(const std::string& model_file);
+
+}  // namespace girdle
