@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+/// The plugin's logic: joint servos whose targets follow three commands through the shoulder
+/// rhythm.
+///
+/// One instance of `girdle.rhythm` is shared by twelve actuators. Three are commands: their gear is
+/// 0 and their controls are elevation, plane and axial [rad]. Nine are servos, one a hinge:
+///
+///     force = kp (target + trim - q)
+///
+/// with the target from the inverse kinematics of the commands, q the hinge's coordinate and the
+/// trim the actuator's own control [rad], 0 by default. Damping belongs on the hinge, where MuJoCo
+/// integrates it implicitly.
+///
+/// An actuator's role is the name of kCommandNames or kCoordinateNames that stands last in its own
+/// name, so that `him_elevation_r` and `elevation_r` are the same. Nothing is kept between steps
+/// but what the configuration says.
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <array>
+#include <cstddef>
+#include <memory>
+
+#include "kinematics/model_names.h"
+#include "kinematics/shoulder_rhythm.h"
+#include "tables/rhythm_config.h"
+
+namespace girdle {
+
+class RhythmController {
+ public:
+  /// Finds the instance's actuators and checks the model around them. Throws std::runtime_error
+  /// that names the element and the fix.
+  RhythmController(const mjModel& model, int instance, const RhythmConfig& config);
+
+  /// Writes the forces of the nine servos; the commands' stay 0.
+  void Actuate(const mjModel& model, mjData& data) const noexcept;
+
+  /// Writes the instance's sensors, see sensor_layout. Positions are those of `data`, forward
+  /// kinematics done.
+  void Sense(const mjModel& model, mjData& data, int instance) const noexcept;
+
+ private:
+  /// Control of an actuator, its range applied where the model gives one.
+  struct Control {
+    int address = 0;
+    bool limited = false;
+    mjtNum lower = 0;
+    mjtNum upper = 0;
+
+    /// A control that is not finite counts as 0.
+    [[nodiscard]] double Read(const mjData& data) const noexcept;
+  };
+  struct Servo {
+    int qpos_address = 0;
+    int force_address = 0;
+    Control trim;
+    double stiffness = 0;
+  };
+
+  void AddCommand(const mjModel& model, int actuator);
+  void AddServo(const mjModel& model, int actuator, const RhythmConfig& config);
+  [[nodiscard]] ArmCommand ReadCommand(const mjData& data) const noexcept;
+
+  ShoulderRhythm rhythm_;
+  std::array<Control, kCommandCount> commands_{};
+  std::array<Servo, kCoordinateCount> servos_{};
+  std::array<bool, kCommandCount> has_command_{};
+  std::array<bool, kCoordinateCount> has_servo_{};
+  int thorax_body_ = 0;
+  int humerus_body_ = 0;
+};
+
+}  // namespace girdle
