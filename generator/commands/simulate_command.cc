@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "commands/simulate_command.h"
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "commands/output_file.h"
+#include "commands/rhythm_arguments.h"
+#include "commands/simulation_module.h"
+#include "tables/input_error.h"
+#include "tables/number_text.h"
+
+namespace girdle {
+namespace {
+
+struct SimulateArguments {
+  std::string model;
+  std::string plugin;
+  std::optional<std::string> raise;
+  std::string plane = "0";
+  std::string seconds = "2";
+  std::optional<std::string> motion;
+  std::string trace;
+  bool json = false;
+};
+
+// Longer than anybody raises an arm; keeps the number of steps countable.
+constexpr double kLongest_s = 1e5;
+
+MotionRequest Requested(const SimulateArguments& arguments) {
+  if (arguments.raise.has_value() == arguments.motion.has_value()) {
+    throw InputError(
+        "which motion? Give either --raise FROM:TO, such as --raise 15:120, or --motion FILE");
+  }
+  MotionRequest request;
+  if (arguments.motion) {
+    request.file = *arguments.motion;
+    return request;
+  }
+  const std::size_t colon = arguments.raise->find(':');
+  if (colon == std::string::npos) {
+    throw InputError("--raise '" + *arguments.raise +
+                     "': expected two elevations with a colon between, such as 15:120");
+  }
+  const double plane_rad = RadiansFromDegrees(NumberArgument("--plane", arguments.plane));
+  request.from = {RadiansFromDegrees(NumberArgument("--raise", arguments.raise->substr(0, colon))),
+                  plane_rad, 0};
+  request.to = {RadiansFromDegrees(NumberArgument("--raise", arguments.raise->substr(colon + 1))),
+                plane_rad, 0};
+  request.duration_s = NumberArgument("--seconds", arguments.seconds);
+  if (request.duration_s <= 0 || request.duration_s > kLongest_s) {
+    throw InputError("--seconds " + arguments.seconds + ": expected more than 0 and at most " +
+                     NumberText(kLongest_s));
+  }
+  return request;
+}
+
+void Simulate(const SimulateArguments& arguments) {
+  const MotionRequest request = Requested(arguments);
+  const SimulationModule& simulation = LoadSimulation();
+  std::optional<OutputFile> trace;
+  if (!arguments.trace.empty()) {
+    trace.emplace(arguments.trace);
+  }
+  const SimulationSummary summary = simulation.simulate(
+      arguments.model, ChosenPlugin(arguments.plugin), request,
+      [&trace](std::string_view text) {
+        if (trace) {
+          trace->Write(text);
+        }
+      },
+      TerminalProgress("simulating"));
+  if (trace) {
+    trace->Commit();
+  }
+  if (arguments.trace == "-") {
+    return;  // the trace is the output
+  }
+  if (arguments.json) {
+    nlohmann::ordered_json json;
+    json["model"] = arguments.model;
+    json["trace"] = arguments.trace.empty() ? nlohmann::ordered_json(nullptr)
+                                            : nlohmann::ordered_json(arguments.trace);
+    json["rows"] = summary.rows;
+    json["duration_s"] = summary.duration_s;
+    json["worst_tracking_error_deg"] = summary.worst_error_deg;
+    json["last_tracking_error_deg"] = summary.last_error_deg;
+    Print(json.dump(2) + "\n");
+    return;
+  }
+  constexpr int kDecimals = 3;
+  Print("simulated " + RoundedText(summary.duration_s, kDecimals) + " s in " +
+        std::to_string(summary.rows) + " states; joints at most " +
+        RoundedText(summary.worst_error_deg, kDecimals) + " deg off their targets, " +
+        RoundedText(summary.last_error_deg, kDecimals) + " at the end\n" +
+        (trace ? "trace  " + arguments.trace + "\n" : ""));
+}
+
+}  // namespace
+
+void AddSimulateCommand(CLI::App& program) {
+  auto arguments = std::make_shared<SimulateArguments>();
+  CLI::App* verb =
+      program.add_subcommand("simulate", "Move a model's arm without a screen; trace to CSV");
+  verb->add_option("model", arguments->model, "Model or scene, MJCF or MJB")
+      ->type_name("MODEL")
+      ->required();
+  verb->add_option("--raise", arguments->raise, "Raise the arm between two elevations")
+      ->type_name("FROM:TO");
+  verb->add_option("--plane", arguments->plane, "Plane of the raise (default 0)")->type_name("DEG");
+  verb->add_option("--seconds", arguments->seconds, "Duration of the raise (default 2)")
+      ->type_name("S");
+  verb->add_option("--motion", arguments->motion,
+                   "CSV with time_s, elevation_deg, plane_deg and optionally axial_deg")
+      ->type_name("FILE");
+  verb->add_option("--trace", arguments->trace, "CSV to write; - for standard output")
+      ->type_name("FILE");
+  AddPluginArgument(*verb, arguments->plugin);
+  verb->add_flag("--json", arguments->json, "Summary as JSON");
+  verb->footer(
+      "Example:\n"
+      "  girdle simulate scene.xml --raise 15:120 --plane 0 --seconds 2 --trace raise.csv");
+  verb->callback([arguments] { Simulate(*arguments); });
+}
+
+}  // namespace girdle

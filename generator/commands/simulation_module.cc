@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "commands/simulation_module.h"
+
+#include <dlfcn.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <system_error>
+
+#include "tables/input_error.h"
+
+namespace girdle {
+namespace {
+
+constexpr const char* kSimulationFile = "libgirdle_simulation.so";
+constexpr const char* kPluginFile = "libgirdle_rhythm.so";
+
+// A file beside the program, as built, or in the library folder, as installed.
+std::filesystem::path PartOfProgram(const char* file) {
+  std::error_code error;
+  const std::filesystem::path folder =
+      std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
+  const std::filesystem::path beside = folder / file;
+  return std::filesystem::exists(beside, error)
+             ? beside
+             : (folder / GIRDLE_MODULE_DIR / file).lexically_normal();
+}
+
+}  // namespace
+
+void AddPluginArgument(CLI::App& verb, std::string& plugin) {
+  verb.add_option("--plugin", plugin, "The engine plugin, if not the one built with this program")
+      ->type_name("FILE");
+}
+
+std::string ChosenPlugin(const std::string& plugin) {
+  return plugin.empty() ? PartOfProgram(kPluginFile).string() : plugin;
+}
+
+bool HasSimulation() {
+  std::error_code error;
+  return std::filesystem::exists(PartOfProgram(kSimulationFile), error);
+}
+
+const SimulationModule& LoadSimulation() {
+  const std::filesystem::path path = PartOfProgram(kSimulationFile);
+  if (!HasSimulation()) {
+    throw InputError(path.string() +
+                     ": not there. This verb needs MuJoCo: build Girdle with it (scripts/setup "
+                     "fetches it)");
+  }
+  void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (library == nullptr) {
+    throw InputError("cannot run MuJoCo: " + std::string(dlerror()) +
+                     ". Run scripts/setup and build again, or set MUJOCO_ROOT");
+  }
+  const auto module =
+      reinterpret_cast<SimulationModuleFunction>(dlsym(library, kSimulationModuleSymbol));
+  if (module == nullptr) {
+    throw InputError(path.string() + ": not the simulation of this program. Build Girdle again");
+  }
+  return *module();
+}
+
+ProgressSink TerminalProgress(const std::string& label) {
+  if (isatty(STDERR_FILENO) == 0) {
+    return [](double) {};
+  }
+  constexpr int kPercent = 100;
+  return [label, shown = -1](double done) mutable {
+    const int percent = static_cast<int>(kPercent * done);
+    if (percent == shown) {
+      return;
+    }
+    shown = percent;
+    std::cerr << "\r" << label << " " << percent << " %" << std::flush;
+    if (percent >= kPercent) {
+      std::cerr << "\r" << std::string(label.size() + 6, ' ') << "\r" << std::flush;
+    }
+  };
+}
+
+}  // namespace girdle

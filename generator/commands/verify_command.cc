@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "commands/verify_command.h"
+
+#include <memory>
+#include <string>
+
+#include "commands/output_file.h"
+#include "commands/rhythm_arguments.h"
+#include "commands/simulation_module.h"
+
+namespace girdle {
+namespace {
+
+struct VerifyArguments {
+  RhythmArguments rhythm;
+  std::string model;
+  std::string plugin;
+  bool json = false;
+};
+
+RhythmOverride OverrideFrom(const RhythmArguments& arguments) {
+  const RhythmOptions options = ChosenOptions(arguments);
+  RhythmOverride rhythm;
+  if (!arguments.interpolation.empty()) {
+    rhythm.interpolation = options.interpolation;
+  }
+  if (!arguments.closure.empty()) {
+    rhythm.closure = options.closure;
+  }
+  rhythm.table_file = arguments.table;
+  return rhythm;
+}
+
+bool Verify(const VerifyArguments& arguments) {
+  const VerifyResult result = LoadSimulation().verify(
+      arguments.model, ChosenPlugin(arguments.plugin), OverrideFrom(arguments.rhythm),
+      arguments.json, TerminalProgress("verifying"));
+  Print(result.report);
+  return result.passed;
+}
+
+}  // namespace
+
+void AddVerifyCommand(CLI::App& program, int& status) {
+  auto arguments = std::make_shared<VerifyArguments>();
+  CLI::App* verb = program.add_subcommand("verify", "The residual report of a model");
+  verb->add_option("model", arguments->model, "Model or scene, MJCF or MJB")
+      ->type_name("MODEL")
+      ->required();
+  AddRhythmArguments(*verb, arguments->rhythm);
+  AddPluginArgument(*verb, arguments->plugin);
+  verb->add_flag("--json", arguments->json, "The report as JSON");
+  verb->footer(
+      "The model is held against the rhythm that it says it uses; --table, --interpolation and "
+      "--closure say otherwise.\n"
+      "Exit status 1 if a residual is above its tolerance.\n"
+      "Example:\n  girdle verify scene.xml");
+  verb->callback([arguments, &status] { status = Verify(*arguments) ? 0 : 1; });
+}
+
+}  // namespace girdle

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+/// MuJoCo with owned objects and with errors and warnings that cannot be overlooked.
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <memory>
+#include <string>
+
+namespace girdle {
+
+struct ModelDeleter {
+  void operator()(mjModel* model) const noexcept { mj_deleteModel(model); }
+};
+struct DataDeleter {
+  void operator()(mjData* data) const noexcept { mj_deleteData(data); }
+};
+using ModelPointer = std::unique_ptr<mjModel, ModelDeleter>;
+using DataPointer = std::unique_ptr<mjData, DataDeleter>;
+
+/// Makes MuJoCo's errors InputErrors and collects its warnings, for the life of the object. One at
+/// a time in a process.
+class EngineWatch {
+ public:
+  EngineWatch();
+  EngineWatch(const EngineWatch&) = delete;
+  EngineWatch& operator=(const EngineWatch&) = delete;
+  ~EngineWatch();
+
+  /// Throws InputError with the warnings since the last call, if there were any. `doing` says what
+  /// was going on.
+  static void ExpectNoWarning(const std::string& doing);
+
+ private:
+  void (*previous_error_)(const char*);
+  void (*previous_warning_)(const char*);
+};
+
+/// Loads the engine plugin as any user of MuJoCo does. Throws InputError if it cannot be loaded or
+/// is for another version.
+void LoadPlugin(const std::string& path);
+
+/// Loads a model from an MJCF file or a binary MJB file. Throws InputError with MuJoCo's reason.
+[[nodiscard]] ModelPointer LoadModel(const std::string& path);
+
+/// Throws InputError if there is not enough memory.
+[[nodiscard]] DataPointer MakeData(const mjModel& model);
+
+}  // namespace girdle

@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "simulation/module.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <stdexcept>
+#include <utility>
+
+#include "simulation/engine.h"
+#include "simulation/motion.h"
+#include "simulation/residual_report.h"
+#include "simulation/residuals.h"
+#include "simulation/shoulder_simulation.h"
+#include "simulation/trace.h"
+#include "tables/built_in.h"
+#include "tables/input_error.h"
+#include "tables/rhythm_config.h"
+#include "tables/rhythm_table_csv.h"
+
+namespace girdle {
+namespace {
+
+std::string CheckModel(const std::string& model_path, const std::string& plugin) {
+  const EngineWatch watch;
+  LoadPlugin(plugin);
+  const ShoulderSimulation simulation(model_path);
+  const mjModel& model = simulation.model();
+  return "MuJoCo " + std::string(mj_versionString()) + " loads it: " + std::to_string(model.njnt) +
+         " joints, " + std::to_string(model.nactuator) + " actuators, " +
+         std::to_string(model.nkey) + " keyframes";
+}
+
+Motion RequestedMotion(const MotionRequest& request) {
+  if (request.file.empty()) {
+    return ReachingMotion("raise", request.from, request.to, request.duration_s);
+  }
+  std::ifstream in(request.file, std::ios::binary);
+  if (!in) {
+    throw InputError(request.file + ": cannot be opened. Check the name and its permissions");
+  }
+  return ReadMotion(in, request.file);
+}
+
+double LargestError_deg(const ShoulderState& state) {
+  double largest_rad = 0;
+  for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+    largest_rad = std::max(largest_rad, std::abs(state.target_rad[k] - state.position_rad[k]));
+  }
+  return DegreesFromRadians(largest_rad);
+}
+
+SimulationSummary Simulate(const std::string& model_path, const std::string& plugin,
+                           const MotionRequest& request, const TextSink& trace,
+                           const ProgressSink& progress) {
+  const Motion motion = RequestedMotion(request);
+  const EngineWatch watch;
+  LoadPlugin(plugin);
+  ShoulderSimulation simulation(model_path);
+  const auto steps = static_cast<long>(std::lround(motion.duration_s / simulation.timestep_s()));
+  const auto command_at = [&](long step) {
+    return ReplayableCommand(motion.command(static_cast<double>(step) * simulation.timestep_s()));
+  };
+  simulation.Start(command_at(0));
+  trace(TraceHeader());
+  SimulationSummary summary;
+  std::string row;
+  for (long step = 0; step <= steps; ++step) {
+    // The last state has no step after it.
+    const ShoulderState state =
+        step < steps ? simulation.Step(command_at(step)) : simulation.Observe(command_at(step));
+    row.clear();
+    AppendTraceRow(row, state);
+    trace(row);
+    ++summary.rows;
+    summary.duration_s = state.time_s;
+    summary.last_error_deg = LargestError_deg(state);
+    summary.worst_error_deg = std::max(summary.worst_error_deg, summary.last_error_deg);
+    progress(static_cast<double>(step) / static_cast<double>(std::max(steps, 1L)));
+  }
+  return summary;
+}
+
+std::string ConfigText(const ShoulderSimulation& simulation, const char* key) {
+  const char* text = mj_getPluginConfig(&simulation.model(), simulation.elements().instance, key);
+  return text == nullptr ? "" : text;
+}
+
+// The rhythm that the model says it uses, with what the user says instead.
+ShoulderRhythm RhythmOf(const ShoulderSimulation& simulation, const RhythmOverride& override) {
+  const RhythmConfig config = ParseRhythmConfig(
+      {ConfigText(simulation, kInterpolationKey), ConfigText(simulation, kClosureKey),
+       ConfigText(simulation, kTableKey), ConfigText(simulation, kStiffnessKey)});
+  const RhythmOptions options = {
+      override.interpolation.value_or(config.rhythm.options().interpolation),
+      override.closure.value_or(config.rhythm.options().closure)};
+  return ShoulderRhythm(override.table_file.empty() ? config.rhythm.table()
+                                                    : ReadRhythmTableFile(override.table_file),
+                        options);
+}
+
+VerifyResult Verify(const std::string& model_path, const std::string& plugin,
+                    const RhythmOverride& override, bool json, const ProgressSink& progress) {
+  const EngineWatch watch;
+  LoadPlugin(plugin);
+  ShoulderSimulation simulation(model_path);
+  const ShoulderRhythm rhythm = RhythmOf(simulation, override);
+  ResidualReport report = MeasureResiduals(simulation, rhythm, BuiltInAnatomy(), progress);
+  const char* table = !override.table_file.empty()                ? override.table_file.c_str()
+                      : ConfigText(simulation, kTableKey).empty() ? "built in (Ludewig et al. 2009)"
+                                                                  : "the model's own";
+  report.rhythm = "interpolation " + std::string(Name(rhythm.options().interpolation)) +
+                  ", closure " + std::string(Name(rhythm.options().closure)) + ", table " + table;
+  return {json ? ReportAsJson(report) : ReportAsText(report), report.passed()};
+}
+
+}  // namespace
+}  // namespace girdle
+
+// NOLINTNEXTLINE(readability-identifier-naming): a C symbol
+extern "C" __attribute__((visibility("default"))) const girdle::SimulationModule*
+girdle_simulation_module() {
+  static const girdle::SimulationModule kModule = {girdle::CheckModel, girdle::Simulate,
+                                                   girdle::Verify};
+  return &kModule;
+}

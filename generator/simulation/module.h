@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+/// What the program asks of the library that runs MuJoCo. The program loads it when a verb needs
+/// it, so that the other verbs work where there is no MuJoCo.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "kinematics/shoulder_rhythm.h"
+
+namespace girdle {
+
+/// Receives text as it is made.
+using TextSink = std::function<void(std::string_view)>;
+/// Told how much is done, 0 to 1.
+using ProgressSink = std::function<void(double)>;
+
+/// A motion between two commands, or one from a file.
+struct MotionRequest {
+  ArmCommand from;
+  ArmCommand to;
+  double duration_s = 0;
+  std::string file;  ///< CSV; empty for the motion above
+};
+
+struct SimulationSummary {
+  std::size_t rows = 0;        ///< of the trace
+  double duration_s = 0;       ///< simulated
+  double worst_error_deg = 0;  ///< largest difference of a joint from its target
+  double last_error_deg = 0;   ///< the same in the last row
+};
+
+/// What `verify` holds a model against where the model itself does not say, or should not be
+/// believed.
+struct RhythmOverride {
+  std::optional<Interpolation> interpolation;
+  std::optional<Closure> closure;
+  std::string table_file;  ///< empty for the model's own
+};
+
+struct VerifyResult {
+  std::string report;
+  bool passed = false;
+};
+
+/// The functions of the library. All throw InputError.
+struct SimulationModule {
+  /// Loads a model with the plugin and returns a line that says what MuJoCo found in it.
+  std::string (*check_model)(const std::string& model, const std::string& plugin);
+  SimulationSummary (*simulate)(const std::string& model, const std::string& plugin,
+                                const MotionRequest& request, const TextSink& trace,
+                                const ProgressSink& progress);
+  VerifyResult (*verify)(const std::string& model, const std::string& plugin,
+                         const RhythmOverride& rhythm, bool json, const ProgressSink& progress);
+};
+
+/// Name of the function that returns the SimulationModule, of type SimulationModuleFunction.
+inline constexpr const char* kSimulationModuleSymbol = "girdle_simulation_module";
+using SimulationModuleFunction = const SimulationModule* (*)();
+
+}  // namespace girdle

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+/// Motions of the arm: what is commanded when.
+#pragma once
+
+#include <functional>
+#include <istream>
+#include <string>
+
+#include "kinematics/shoulder_rhythm.h"
+
+namespace girdle {
+
+struct Motion {
+  std::string name;
+  double duration_s = 0;
+  /// Command at a time [s]; held before 0 and after the end.
+  std::function<ArmCommand(double time_s)> command;
+};
+
+/// Returns a motion from one command to another on a straight line in (elevation, plane, axial),
+/// with the speed profile of a reaching arm (least jerk: Flash and Hogan, J Neurosci 1985;5:1688),
+/// at rest at both ends. Precondition: duration_s > 0.
+[[nodiscard]] Motion ReachingMotion(std::string name, const ArmCommand& from, const ArmCommand& to,
+                                    double duration_s);
+
+/// Reads `time_s,elevation_deg,plane_deg`, optionally `axial_deg`, columns in any order, times not
+/// negative and increasing, and goes in straight lines from row to row. Throws InputError with file
+/// and line.
+[[nodiscard]] Motion ReadMotion(std::istream& in, const std::string& name);
+
+}  // namespace girdle

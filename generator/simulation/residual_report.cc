@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "simulation/residual_report.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+namespace girdle {
+namespace {
+
+constexpr std::size_t kColumns = 7;
+using Row = std::array<std::string, kColumns>;
+// Numbers stand to the right, words to the left.
+constexpr std::array<bool, kColumns> kRightAligned = {false, false, true, true,
+                                                      false, false, false};
+
+std::string ThreeDigits(double value) {
+  constexpr int kDigits = 3;
+  constexpr std::size_t kRoom = 32;
+  std::array<char, kRoom> buffer;  // NOLINT(*-member-init): filled by to_chars
+  const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
+                                          std::chars_format::general, kDigits);
+  return {buffer.data(), end};
+}
+
+}  // namespace
+
+std::string ReportAsText(const ResidualReport& report) {
+  std::vector<Row> rows = {{"residual", "of", "value", "tolerance", "unit", "result", "where"}};
+  for (const Residual& residual : report.residuals) {
+    rows.push_back({residual.group, residual.item, ThreeDigits(residual.value),
+                    residual.tolerance ? ThreeDigits(*residual.tolerance) : "-", residual.unit,
+                    !residual.tolerance ? "stated"
+                    : residual.passed() ? "pass"
+                                        : "FAIL",
+                    residual.where});
+  }
+  std::array<std::size_t, kColumns> widths{};
+  for (const Row& row : rows) {
+    for (std::size_t i = 0; i < kColumns; ++i) {
+      widths[i] = std::max(widths[i], row[i].size());
+    }
+  }
+  std::string text = "model   " + report.model + "\nrhythm  " + report.rhythm +
+                     "\nengine  MuJoCo " + report.engine + "\n\n";
+  for (const Row& row : rows) {
+    for (std::size_t i = 0; i < kColumns; ++i) {
+      const std::string padding(widths[i] - row[i].size(), ' ');
+      if (i + 1 == kColumns) {
+        text += row[i] + "\n";
+      } else {
+        text += (kRightAligned[i] ? padding + row[i] : row[i] + padding) + "  ";
+      }
+    }
+  }
+  const auto failed = std::count_if(report.residuals.begin(), report.residuals.end(),
+                                    [](const Residual& residual) { return !residual.passed(); });
+  return text + "\n" +
+         (failed == 0 ? "all residuals within their tolerances"
+                      : std::to_string(failed) + " residuals above their tolerances") +
+         "\n";
+}
+
+std::string ReportAsJson(const ResidualReport& report) {
+  nlohmann::ordered_json json;
+  json["model"] = report.model;
+  json["rhythm"] = report.rhythm;
+  json["mujoco"] = report.engine;
+  json["passed"] = report.passed();
+  json["residuals"] = nlohmann::ordered_json::array();
+  for (const Residual& residual : report.residuals) {
+    nlohmann::ordered_json line;
+    line["group"] = residual.group;
+    line["item"] = residual.item;
+    line["value"] = residual.value;
+    line["unit"] = residual.unit;
+    line["tolerance"] = residual.tolerance ? nlohmann::ordered_json(*residual.tolerance) : nullptr;
+    line["passed"] = residual.passed();
+    line["where"] = residual.where;
+    json["residuals"].push_back(line);
+  }
+  return json.dump(2) + "\n";
+}
+
+}  // namespace girdle

@@ -1,0 +1,412 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "simulation/residuals.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <string_view>
+
+#include "kinematics/isb_frames.h"
+#include "simulation/motion.h"
+#include "tables/number_text.h"
+
+namespace girdle {
+namespace {
+
+constexpr double kMillimetersPerMeter = 1000;
+
+// Tolerances. Rounding in double precision leaves 1e-13 of a radian or a meter at most; 1e-6 of a
+// degree or a millimeter is far above that and far below anything that can be measured.
+constexpr double kExact_deg = 1e-6;
+constexpr double kExact_mm = 1e-6;
+// A servo that holds still must be as good as its own rounding; a tenth of a degree is a tenth of
+// what bone pins resolve.
+constexpr double kSettledTracking_deg = 0.1;
+// Lag of 20 ms (joint_dynamics.h) at the fastest joint speed of the standard motions, about 80
+// deg/s, and some room.
+constexpr double kMovingTracking_deg = 3;
+// Of the published tables themselves (2.03 deg rms over rows 30 to 120, 1.7 to 2.5 each).
+constexpr double kScapulothoracicRms_deg = 2.1;
+constexpr double kScapulothoracicWorst_deg = 2.6;
+// Of the fitted ellipsoid: the scapula's medial border glides within this of it.
+constexpr double kGlidingRms_mm = 5;
+constexpr double kGlidingWorst_mm = 17;
+
+// Duration of a standard motion and of the rest after it.
+constexpr double kMoving_s = 2;
+constexpr double kSettling_s = 2;
+// Share of the rest at its end that counts as settled.
+constexpr double kSettledShare = 0.25;
+// Below this elevation the plane of the arm is ill determined: the table's own misses it by up to
+// 42 deg.
+constexpr double kLowestPlaneElevation_rad = 30 * kRadiansPerDegree;
+
+constexpr std::array<std::string_view, kJointCount> kJointLabels = {"SC", "AC", "GH"};
+
+// Text for the place of a worst case, made only when it is needed.
+std::string PlaceOf(std::string_view motion, const ArmCommand& command) {
+  const auto degrees = [](double angle_rad) {
+    return RoundedText(DegreesFromRadians(angle_rad), 1);
+  };
+  return std::string(motion) + ", elevation " + degrees(command.elevation_rad) + ", plane " +
+         degrees(command.plane_rad);
+}
+
+// Largest magnitude and root mean square of a quantity over poses.
+class Extreme {
+ public:
+  void Add(double value, std::string_view motion, const ArmCommand& command) {
+    const double magnitude = std::abs(value);
+    square_sum_ += value * value;
+    ++count_;
+    // Written so that a NaN becomes the worst and stays it.
+    if (count_ == 1 || !(magnitude <= worst_)) {
+      if (!std::isnan(worst_)) {
+        worst_ = magnitude;
+        motion_ = motion;
+        command_ = command;
+      }
+    }
+  }
+
+  [[nodiscard]] bool empty() const { return count_ == 0; }
+
+  [[nodiscard]] Residual Worst(std::string group, std::string item, std::string unit,
+                               std::optional<double> tolerance) const {
+    return {std::move(group), std::move(item), worst_,
+            std::move(unit),  tolerance,       PlaceOf(motion_, command_)};
+  }
+  [[nodiscard]] Residual RootMeanSquare(std::string group, std::string item, std::string unit,
+                                        std::optional<double> tolerance) const {
+    return {std::move(group), std::move(item), std::sqrt(square_sum_ / static_cast<double>(count_)),
+            std::move(unit),  tolerance,       std::to_string(count_) + " values"};
+  }
+
+ private:
+  double worst_ = 0;
+  double square_sum_ = 0;
+  std::size_t count_ = 0;
+  std::string motion_;
+  ArmCommand command_;
+};
+
+using JointExtremes = std::array<Extreme, kJointCount>;
+
+// Difference of two angles in (-pi, pi].
+double AngleDifference(double a_rad, double b_rad) {
+  return std::remainder(a_rad - b_rad, 2 * kPi);
+}
+
+Vector3 InThorax(const ShoulderState& state, const Vector3& point_m) {
+  return glm::conjugate(state.rotation(Segment::kThorax)) *
+         (point_m - state.landmark_m(Landmark::kIJ));
+}
+
+// Where the simulated humerus points, from landmarks: GH to the middle of the epicondyles.
+ArmAngles ArmFromLandmarks(const ShoulderState& state) {
+  const Quaternion q_WH = HumerusFrame(state.child_site_m(2), state.landmark_m(Landmark::kEM),
+                                       state.landmark_m(Landmark::kEL));
+  return ArmAnglesFromRotation(glm::conjugate(state.rotation(Segment::kThorax)) * q_WH);
+}
+
+class ResidualMeter {
+ public:
+  ResidualMeter(ShoulderSimulation& simulation, const ShoulderRhythm& rhythm,
+                const Anatomy& anatomy)
+      : simulation_(simulation), rhythm_(rhythm), anatomy_(anatomy) {}
+
+  void RunMotion(const Motion& motion, const Progress& progress) {
+    const double timestep_s = simulation_.timestep_s();
+    const auto moving_steps = static_cast<int>(std::lround(motion.duration_s / timestep_s));
+    const auto settling_steps = static_cast<int>(std::lround(kSettling_s / timestep_s));
+    const int settled_from = moving_steps + static_cast<int>((1 - kSettledShare) * settling_steps);
+    simulation_.Start(motion.command(0));
+    for (int step = 0; step < moving_steps + settling_steps; ++step) {
+      const ShoulderState state = simulation_.Step(motion.command(step * timestep_s));
+      AddJointGaps(state, motion.name);
+      AddTracking(state, motion.name, step < moving_steps ? moving_ : settled_,
+                  step < moving_steps || step >= settled_from);
+      progress(static_cast<double>(step) / (moving_steps + settling_steps));
+    }
+    // The same poses without dynamics, a degree apart or less.
+    constexpr int kPoses = 128;
+    for (int i = 0; i <= kPoses; ++i) {
+      VisitPose(motion.command(motion.duration_s * i / kPoses), motion.name);
+    }
+  }
+
+  void VisitTable() {
+    const RhythmTable& table = rhythm_.table();
+    for (std::size_t plane = 0; plane < table.planes_rad().size(); ++plane) {
+      for (std::size_t elevation = 0; elevation < table.elevations_rad().size(); ++elevation) {
+        const ArmCommand command{table.elevations_rad()[elevation], table.planes_rad()[plane], 0};
+        const ShoulderState state = VisitPose(command, "table");
+        AddScapulothoracic(state, table.position(plane, elevation), command);
+      }
+    }
+  }
+
+  void VisitKeyframes() {
+    const mjModel& model = simulation_.model();
+    const ShoulderElements& elements = simulation_.elements();
+    for (int key = 0; key < model.nkey; ++key) {
+      const mjtNum* controls = model.key_ctrl + key * model.nu;
+      const ArmCommand command{controls[elements.command_controls[0]],
+                               controls[elements.command_controls[1]],
+                               controls[elements.command_controls[2]]};
+      const JointAngles angles_rad = AnglesFromPose(rhythm_.Solve(command).pose);
+      for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+        const double qpos_rad = model.key_qpos[key * model.nq + elements.qpos[k]];
+        keyframes_.Add(DegreesFromRadians(AngleDifference(qpos_rad, angles_rad[k])),
+                       model.names + model.name_keyadr[key], command);
+      }
+    }
+  }
+
+  // The bones themselves: every landmark where the anatomy has it on its bone.
+  void VisitBones() {
+    const ShoulderState state = simulation_.ObserveAtTargets({});
+    const std::array<Vector3, kSegmentCount> origins_m = {
+        state.landmark_m(Landmark::kIJ), state.child_site_m(0), state.child_site_m(1),
+        state.child_site_m(2)};
+    for (std::size_t i = 0; i < kLandmarkCount; ++i) {
+      const auto segment = static_cast<std::size_t>(kLandmarks[i].segment);
+      const Vector3 on_bone_m =
+          glm::conjugate(state.q_WB[segment]) * (state.site_m[i] - origins_m[segment]);
+      bones_.Add(kMillimetersPerMeter * glm::distance(on_bone_m, anatomy_.landmarks_m[i]),
+                 kLandmarks[i].name, {});
+    }
+  }
+
+  [[nodiscard]] std::vector<Residual> Report() const {
+    std::vector<Residual> lines;
+    const auto add_joints = [&lines](const char* group, const JointExtremes& extremes,
+                                     const char* unit, double tolerance) {
+      for (std::size_t joint = 0; joint < kJointCount; ++joint) {
+        lines.push_back(
+            extremes[joint].Worst(group, std::string(kJointLabels[joint]), unit, tolerance));
+      }
+    };
+    add_joints("joint constraint", gaps_, "mm", kExact_mm);
+    lines.push_back(bones_.Worst("bones", "landmarks", "mm", kExact_mm));
+    add_joints("kinematic consistency", body_rotations_, "deg", kExact_deg);
+    lines.push_back(
+        clavicle_axis_.Worst("kinematic consistency", "clavicle landmarks", "deg", kExact_deg));
+    lines.push_back(
+        scapula_frame_.Worst("kinematic consistency", "scapula landmarks", "deg", kExact_deg));
+    lines.push_back(
+        humerus_frame_.Worst("kinematic consistency", "humerus landmarks", "deg", kExact_deg));
+    if (!keyframes_.empty()) {
+      lines.push_back(keyframes_.Worst("kinematic consistency", "keyframes", "deg", kExact_deg));
+    }
+    add_joints("tracking settled", settled_, "deg", kSettledTracking_deg);
+    add_joints("tracking moving", moving_, "deg", kMovingTracking_deg);
+    lines.push_back(closure_elevation_own_.Worst("closure", "elevation against the table's own",
+                                                 "deg", kExact_deg));
+    lines.push_back(
+        closure_plane_own_.Worst("closure", "plane against the table's own", "deg", kExact_deg));
+    lines.push_back(
+        closure_elevation_.Worst("closure", "elevation reached - commanded", "deg", std::nullopt));
+    lines.push_back(
+        closure_plane_.Worst("closure", "plane, from elevation 30", "deg", std::nullopt));
+    if (!scapulothoracic_.empty()) {
+      lines.push_back(scapulothoracic_.RootMeanSquare("scapulothoracic", "published ST, rms", "deg",
+                                                      kScapulothoracicRms_deg));
+      lines.push_back(scapulothoracic_.Worst("scapulothoracic", "published ST, worst", "deg",
+                                             kScapulothoracicWorst_deg));
+    }
+    lines.push_back(gliding_.RootMeanSquare("scapulothoracic", "TS, AI to ellipsoid, rms", "mm",
+                                            kGlidingRms_mm));
+    lines.push_back(
+        gliding_.Worst("scapulothoracic", "TS, AI to ellipsoid, worst", "mm", kGlidingWorst_mm));
+    return lines;
+  }
+
+ private:
+  // Joint constraint: distance of the two sites that meet in each joint.
+  void AddJointGaps(const ShoulderState& state, std::string_view motion) {
+    const std::array<Landmark, kJointCount> parents = {Landmark::kSC, Landmark::kPAC,
+                                                       Landmark::kGH};
+    for (std::size_t joint = 0; joint < kJointCount; ++joint) {
+      gaps_[joint].Add(kMillimetersPerMeter * glm::distance(state.landmark_m(parents[joint]),
+                                                            state.child_site_m(joint)),
+                       motion, state.command);
+    }
+  }
+
+  // Tracking: simulated coordinates against the plugin's targets.
+  static void AddTracking(const ShoulderState& state, std::string_view motion,
+                          JointExtremes& extremes, bool counts) {
+    if (!counts) {
+      return;
+    }
+    for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+      extremes[k / 3].Add(DegreesFromRadians(state.target_rad[k] - state.position_rad[k]), motion,
+                          state.command);
+    }
+  }
+
+  ShoulderState VisitPose(const ArmCommand& command, std::string_view motion) {
+    const ShoulderState state = simulation_.ObserveAtTargets(command);
+    const ShoulderPose pose = rhythm_.Solve(command).pose;
+    AddJointGaps(state, motion);
+    AddRotations(state, pose, motion);
+    AddLandmarkFrames(state, pose, motion);
+    AddClosure(state, pose, motion);
+    AddGliding(state, motion);
+    return state;
+  }
+
+  // Kinematic consistency, first path: MuJoCo's body rotations against the splines' quaternions.
+  void AddRotations(const ShoulderState& state, const ShoulderPose& pose, std::string_view motion) {
+    const std::array<Quaternion, kJointCount> wanted = {pose.q_TC, pose.q_CS, pose.q_SH};
+    for (std::size_t joint = 0; joint < kJointCount; ++joint) {
+      const Quaternion simulated = glm::conjugate(state.q_WB[joint]) * state.q_WB[joint + 1];
+      body_rotations_[joint].Add(DegreesFromRadians(AngleBetween(simulated, wanted[joint])), motion,
+                                 state.command);
+    }
+  }
+
+  // Second path: ISB frames rebuilt from the simulated landmarks against the same quaternions.
+  void AddLandmarkFrames(const ShoulderState& state, const ShoulderPose& pose,
+                         std::string_view motion) {
+    const Quaternion q_WT = state.rotation(Segment::kThorax);
+    const Vector3 axis_W = ClavicleAxis(state.child_site_m(0), state.landmark_m(Landmark::kPAC));
+    const Vector3 wanted_axis_W = q_WT * (pose.q_TC * Vector3{0, 0, 1});
+    clavicle_axis_.Add(DegreesFromRadians(std::atan2(glm::length(glm::cross(axis_W, wanted_axis_W)),
+                                                     glm::dot(axis_W, wanted_axis_W))),
+                       motion, state.command);
+    const Quaternion q_WS = ScapulaFrame(state.child_site_m(1), state.landmark_m(Landmark::kTS),
+                                         state.landmark_m(Landmark::kAI));
+    scapula_frame_.Add(DegreesFromRadians(AngleBetween(q_WS, q_WT * pose.q_TS())), motion,
+                       state.command);
+    const Quaternion q_WH = HumerusFrame(state.child_site_m(2), state.landmark_m(Landmark::kEM),
+                                         state.landmark_m(Landmark::kEL));
+    humerus_frame_.Add(DegreesFromRadians(AngleBetween(q_WH, q_WT * pose.q_TH())), motion,
+                       state.command);
+  }
+
+  // Closure: where the simulated arm points, against where the splines' arm does and against the
+  // command.
+  void AddClosure(const ShoulderState& state, const ShoulderPose& pose, std::string_view motion) {
+    const ArmAngles reached = ArmFromLandmarks(state);
+    const ArmAngles own = ArmAnglesFromRotation(pose.q_TH());
+    const ArmCommand& command = state.command;
+    closure_elevation_own_.Add(DegreesFromRadians(reached.elevation_rad - own.elevation_rad),
+                               motion, command);
+    closure_plane_own_.Add(DegreesFromRadians(AngleDifference(reached.plane_rad, own.plane_rad)),
+                           motion, command);
+    closure_elevation_.Add(DegreesFromRadians(reached.elevation_rad - command.elevation_rad),
+                           motion, command);
+    if (command.elevation_rad >= kLowestPlaneElevation_rad) {
+      closure_plane_.Add(DegreesFromRadians(AngleDifference(reached.plane_rad, command.plane_rad)),
+                         motion, command);
+    }
+  }
+
+  void AddScapulothoracic(const ShoulderState& state, const RhythmPosition& position,
+                          const ArmCommand& command) {
+    if (!position.scapulothoracic_rad) {
+      return;
+    }
+    const Quaternion published =
+        QuaternionFromEuler(EulerSequence::kYXZ, *position.scapulothoracic_rad);
+    const Quaternion simulated =
+        glm::conjugate(state.rotation(Segment::kThorax)) * state.rotation(Segment::kScapula);
+    scapulothoracic_.Add(DegreesFromRadians(AngleBetween(simulated, published)), "table", command);
+  }
+
+  void AddGliding(const ShoulderState& state, std::string_view motion) {
+    for (const Landmark landmark : {Landmark::kTS, Landmark::kAI}) {
+      gliding_.Add(
+          kMillimetersPerMeter *
+              DistanceFromEllipsoid(anatomy_.gliding, InThorax(state, state.landmark_m(landmark))),
+          motion, state.command);
+    }
+  }
+
+  ShoulderSimulation& simulation_;
+  const ShoulderRhythm& rhythm_;
+  const Anatomy& anatomy_;
+  JointExtremes gaps_;
+  Extreme bones_;
+  JointExtremes body_rotations_;
+  Extreme clavicle_axis_;
+  Extreme scapula_frame_;
+  Extreme humerus_frame_;
+  Extreme keyframes_;
+  JointExtremes settled_;
+  JointExtremes moving_;
+  Extreme closure_elevation_own_;
+  Extreme closure_plane_own_;
+  Extreme closure_elevation_;
+  Extreme closure_plane_;
+  Extreme scapulothoracic_;
+  Extreme gliding_;
+};
+
+// The motions that every model is run through.
+std::vector<Motion> StandardMotions(const RhythmTable& table) {
+  const double lowest_rad = table.elevations_rad().front();
+  const double highest_rad = table.elevations_rad().back();
+  const auto raise = [&](const char* name, double plane_deg) {
+    const double plane_rad = RadiansFromDegrees(plane_deg);
+    return ReachingMotion(name, {lowest_rad, plane_rad, 0}, {highest_rad, plane_rad, 0}, kMoving_s);
+  };
+  const double level_rad = RadiansFromDegrees(90);
+  return {raise("abduction", 0), raise("scapular plane", 40), raise("flexion", 90),
+          ReachingMotion("protraction at 90", {level_rad, table.planes_rad().front(), 0},
+                         {level_rad, table.planes_rad().back(), 0}, kMoving_s)};
+}
+
+}  // namespace
+
+bool ResidualReport::passed() const noexcept {
+  return std::all_of(residuals.begin(), residuals.end(),
+                     [](const Residual& residual) { return residual.passed(); });
+}
+
+ResidualReport MeasureResiduals(ShoulderSimulation& simulation, const ShoulderRhythm& rhythm,
+                                const Anatomy& anatomy, const Progress& progress) {
+  ResidualMeter meter(simulation, rhythm, anatomy);
+  const std::vector<Motion> motions = StandardMotions(rhythm.table());
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    const double share = 1.0 / static_cast<double>(motions.size());
+    meter.RunMotion(motions[i], [&progress, i, share](double done) {
+      progress(share * (static_cast<double>(i) + done));
+    });
+  }
+  meter.VisitTable();
+  meter.VisitKeyframes();
+  meter.VisitBones();
+  return {simulation.model_path(), "", mj_versionString(), meter.Report()};
+}
+
+// The nearest point x of the surface has p - x = l grad/2, i.e. x_i = r_i^2 p_i / (l + r_i^2) for
+// the largest root l of sum (r_i p_i / (l + r_i^2))^2 = 1, which bisection finds (Eberly, Distance
+// from a Point to an Ellipsoid).
+double DistanceFromEllipsoid(const Ellipsoid& ellipsoid, const Vector3& point_m) {
+  const Vector3 p = point_m - ellipsoid.center_m;
+  const Vector3 r_squared = ellipsoid.radii_m * ellipsoid.radii_m;
+  const double smallest = std::min({r_squared.x, r_squared.y, r_squared.z});
+  const auto excess = [&](double l) {
+    const Vector3 term = ellipsoid.radii_m * p / (r_squared + l);
+    return glm::dot(term, term) - 1;
+  };
+  double lower = -smallest;
+  double upper = glm::length(ellipsoid.radii_m) * glm::length(p) + glm::dot(p, p);
+  // Halving a range of at most some meters squared this often reaches the last bit.
+  constexpr int kHalvings = 100;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = (lower + upper) / 2;
+    (excess(middle) > 0 ? lower : upper) = middle;
+  }
+  const Vector3 nearest = r_squared * p / (r_squared + upper);
+  return std::copysign(glm::distance(p, nearest), excess(0));
+}
+
+}  // namespace girdle

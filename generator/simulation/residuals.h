@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+/// How far a simulated shoulder is from what was asked: the residual report.
+///
+/// What MuJoCo computes (body rotations, site positions) is held against what the inverse
+/// kinematics says (rotations from the splines). The two meet nowhere else: MuJoCo gets joint
+/// angles, the other side never sees one.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kinematics/shoulder_rhythm.h"
+#include "simulation/shoulder_simulation.h"
+#include "tables/anatomy.h"
+
+namespace girdle {
+
+/// One line of the report.
+struct Residual {
+  std::string group;  ///< what is checked: "joint constraint"
+  std::string item;   ///< on what: "SC"
+  double value = 0;   ///< worst case, or rms where `item` says so
+  std::string unit;
+  /// Largest value that passes; nothing where the value is stated only.
+  std::optional<double> tolerance;
+  std::string where;  ///< the pose of the worst case
+
+  /// A value that is not a number does not pass.
+  [[nodiscard]] bool passed() const noexcept { return !tolerance || value <= *tolerance; }
+};
+
+struct ResidualReport {
+  std::string model;   ///< path
+  std::string rhythm;  ///< what the model was held against: interpolation, closure, table
+  std::string engine;  ///< MuJoCo's version
+  std::vector<Residual> residuals;
+
+  [[nodiscard]] bool passed() const noexcept;
+};
+
+/// Told how much is done, 0 to 1.
+using Progress = std::function<void(double)>;
+
+/// Runs the standard motions (abduction, scapular plane, flexion, protraction at 90) and visits
+/// every position of the rhythm's table, and returns the report. Throws InputError where MuJoCo
+/// warns.
+[[nodiscard]] ResidualReport MeasureResiduals(ShoulderSimulation& simulation,
+                                              const ShoulderRhythm& rhythm, const Anatomy& anatomy,
+                                              const Progress& progress);
+
+/// Returns the signed distance [m] of a point from an ellipsoid's surface, positive outside.
+[[nodiscard]] double DistanceFromEllipsoid(const Ellipsoid& ellipsoid, const Vector3& point_m);
+
+}  // namespace girdle

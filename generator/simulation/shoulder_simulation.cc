@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "simulation/shoulder_simulation.h"
+
+#include <algorithm>
+
+#include "tables/input_error.h"
+#include "tables/number_text.h"
+
+namespace girdle {
+namespace {
+
+int FindInstance(const mjModel& model, const std::string& model_path) {
+  int slot = -1;
+  mjp_getPlugin(kPluginName, &slot);
+  for (int instance = 0; instance < model.nplugin; ++instance) {
+    if (model.plugin[instance] == slot) {
+      return instance;
+    }
+  }
+  throw InputError(model_path + ": has no instance of the plugin " + kPluginName +
+                   ". Make a model that has one with girdle generate");
+}
+
+}  // namespace
+
+std::string_view SiteStem(std::size_t site) {
+  return site < kLandmarkCount ? kLandmarks[site].name : kJointSites[site - kLandmarkCount].child;
+}
+
+ShoulderElements FindShoulder(const mjModel& model, const std::string& model_path) {
+  const auto find = [&](mjtObj type, const char* kind, const std::string& name) {
+    const int id = mj_name2id(&model, type, name.c_str());
+    if (id < 0) {
+      throw InputError(model_path + ": has no " + kind + " \"" + name +
+                       "\". Restore it, or make the model anew with girdle generate");
+    }
+    return id;
+  };
+  const auto right = [](std::string_view stem) { return SidedName(stem, kRightSuffix); };
+  ShoulderElements elements;
+  elements.instance = FindInstance(model, model_path);
+  for (std::size_t i = 0; i < kCommandCount; ++i) {
+    elements.command_controls[i] =
+        model.actuator_ctrladr[find(mjOBJ_ACTUATOR, "actuator", right(kCommandNames[i]))];
+  }
+  for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+    elements.qpos[k] = model.jnt_qposadr[find(mjOBJ_JOINT, "joint", right(kCoordinateNames[k]))];
+  }
+  for (std::size_t i = 0; i < kSegmentCount; ++i) {
+    const bool sided = static_cast<Segment>(i) != Segment::kThorax;
+    elements.bodies[i] =
+        find(mjOBJ_BODY, "body", sided ? right(kSegmentNames[i]) : std::string(kSegmentNames[i]));
+  }
+  for (std::size_t i = 0; i < kSiteCount; ++i) {
+    const bool sided = i >= kLandmarkCount || kLandmarks[i].sided;
+    elements.sites[i] =
+        find(mjOBJ_SITE, "site", sided ? right(SiteStem(i)) : std::string(SiteStem(i)));
+  }
+  elements.sensor = model.sensor_adr[find(mjOBJ_SENSOR, "sensor", right(kRhythmName))];
+  return elements;
+}
+
+ShoulderSimulation::ShoulderSimulation(const std::string& model_path)
+    : model_path_(model_path),
+      model_(LoadModel(model_path)),
+      data_(MakeData(*model_)),
+      elements_(FindShoulder(*model_, model_path)) {}
+
+void ShoulderSimulation::SetCommand(const ArmCommand& command) {
+  data_->ctrl[elements_.command_controls[0]] = command.elevation_rad;
+  data_->ctrl[elements_.command_controls[1]] = command.plane_rad;
+  data_->ctrl[elements_.command_controls[2]] = command.axial_rad;
+}
+
+JointAngles ShoulderSimulation::Positions() const {
+  JointAngles position_rad{};
+  for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+    position_rad[k] = data_->qpos[elements_.qpos[k]];
+  }
+  return position_rad;
+}
+
+ShoulderState ShoulderSimulation::Derived(double time_s, const ArmCommand& command,
+                                          const JointAngles& position_rad) const {
+  ShoulderState state;
+  state.time_s = time_s;
+  state.command = command;
+  state.position_rad = position_rad;
+  std::copy_n(data_->sensordata + elements_.sensor + sensor_layout::kTarget, kCoordinateCount,
+              state.target_rad.begin());
+  for (std::size_t i = 0; i < kSegmentCount; ++i) {
+    const mjtNum* q = data_->xquat + 4 * elements_.bodies[i];
+    state.q_WB[i] = {q[0], q[1], q[2], q[3]};
+  }
+  for (std::size_t i = 0; i < kSiteCount; ++i) {
+    const mjtNum* p = data_->site_xpos + 3 * elements_.sites[i];
+    state.site_m[i] = {p[0], p[1], p[2]};
+  }
+  return state;
+}
+
+void ShoulderSimulation::Start(const ArmCommand& command) {
+  mj_resetData(model_.get(), data_.get());
+  const ShoulderState state = Observe(command);
+  for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+    data_->qpos[elements_.qpos[k]] = state.target_rad[k];
+  }
+}
+
+ShoulderState ShoulderSimulation::Step(const ArmCommand& command) {
+  SetCommand(command);
+  const double time_s = data_->time;
+  const JointAngles position_rad = Positions();
+  // What mj_step derives belongs to the positions before it moves them.
+  mj_step(model_.get(), data_.get());
+  EngineWatch::ExpectNoWarning(model_path_ + ": at " + NumberText(time_s) + " s");
+  return Derived(time_s, command, position_rad);
+}
+
+ShoulderState ShoulderSimulation::Observe(const ArmCommand& command) {
+  SetCommand(command);
+  mj_forward(model_.get(), data_.get());
+  EngineWatch::ExpectNoWarning(model_path_ + ": at " + NumberText(data_->time) + " s");
+  return Derived(data_->time, command, Positions());
+}
+
+ShoulderState ShoulderSimulation::ObserveAtTargets(const ArmCommand& command) {
+  Start(command);
+  return Observe(command);
+}
+
+}  // namespace girdle

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "simulation/trace.h"
+
+#include "tables/number_text.h"
+
+namespace girdle {
+namespace {
+
+// The way to degrees and back moves an angle by at most a few units in the last place, always in
+// one direction, and ends at an angle that it leaves alone.
+double ReplayableAngle(double angle_rad) noexcept {
+  constexpr int kMostRounds = 8;
+  for (int round = 0; round < kMostRounds; ++round) {
+    const double again_rad = RadiansFromDegrees(DegreesFromRadians(angle_rad));
+    if (again_rad == angle_rad) {
+      break;
+    }
+    angle_rad = again_rad;
+  }
+  return angle_rad;
+}
+
+}  // namespace
+
+ArmCommand ReplayableCommand(const ArmCommand& command) noexcept {
+  return {ReplayableAngle(command.elevation_rad), ReplayableAngle(command.plane_rad),
+          ReplayableAngle(command.axial_rad)};
+}
+
+std::string TraceHeader() {
+  std::string text = "time_s";
+  for (const std::string_view command : kCommandNames) {
+    text += "," + std::string(command) + "_deg";
+  }
+  for (const char* prefix : {",target_", ","}) {
+    for (const std::string_view coordinate : kCoordinateNames) {
+      text += prefix + std::string(coordinate) + "_deg";
+    }
+  }
+  for (const Segment segment : {Segment::kClavicle, Segment::kScapula, Segment::kHumerus}) {
+    for (const char* component : {"_qw", "_qx", "_qy", "_qz"}) {
+      text += "," + std::string(kSegmentNames[static_cast<std::size_t>(segment)]) + component;
+    }
+  }
+  for (std::size_t site = 0; site < kSiteCount; ++site) {
+    for (const char* component : {"_x_m", "_y_m", "_z_m"}) {
+      text += "," + std::string(SiteStem(site)) + component;
+    }
+  }
+  return text + "\n";
+}
+
+void AppendTraceRow(std::string& text, const ShoulderState& state) {
+  AppendNumber(text, state.time_s);
+  const auto append = [&text](double number) {
+    text += ',';
+    AppendNumber(text, number);
+  };
+  append(DegreesFromRadians(state.command.elevation_rad));
+  append(DegreesFromRadians(state.command.plane_rad));
+  append(DegreesFromRadians(state.command.axial_rad));
+  for (const JointAngles& angles_rad : {state.target_rad, state.position_rad}) {
+    for (const double angle_rad : angles_rad) {
+      append(DegreesFromRadians(angle_rad));
+    }
+  }
+  for (const Segment segment : {Segment::kClavicle, Segment::kScapula, Segment::kHumerus}) {
+    const Quaternion& q = state.rotation(segment);
+    append(q.w);
+    append(q.x);
+    append(q.y);
+    append(q.z);
+  }
+  for (const Vector3& position : state.site_m) {
+    append(position.x);
+    append(position.y);
+    append(position.z);
+  }
+  text += '\n';
+}
+
+}  // namespace girdle

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+/// A simulation as a CSV table, one row a state.
+#pragma once
+
+#include <string>
+
+#include "simulation/shoulder_simulation.h"
+
+namespace girdle {
+
+/// Returns the header: `time_s`, the commands `elevation_deg plane_deg axial_deg`, nine
+/// `target_*_deg`, nine `*_deg`, world quaternions `clavicle_qw ... humerus_qz`, world positions
+/// `IJ_x_m ...` of all sites.
+[[nodiscard]] std::string TraceHeader();
+
+/// Returns the command [rad] nearest to `command`, a few units in the last place away at most, that
+/// the degrees of a trace give back exactly: whoever drives a model from a trace repeats the run to
+/// the last bit.
+[[nodiscard]] ArmCommand ReplayableCommand(const ArmCommand& command) noexcept;
+
+/// Appends one row, shortest decimals that read back exactly.
+void AppendTraceRow(std::string& text, const ShoulderState& state);
+
+}  // namespace girdle
