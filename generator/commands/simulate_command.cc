@@ -11,6 +11,7 @@
 #include "commands/output_file.h"
 #include "commands/rhythm_arguments.h"
 #include "commands/simulation_module.h"
+#include "simulation/motion.h"
 #include "tables/input_error.h"
 #include "tables/number_text.h"
 
@@ -27,9 +28,6 @@ struct SimulateArguments {
   std::string trace;
   bool json = false;
 };
-
-// Longer than anybody raises an arm; keeps the number of steps countable.
-constexpr double kLongest_s = 1e5;
 
 MotionRequest Requested(const SimulateArguments& arguments) {
   if (arguments.raise.has_value() == arguments.motion.has_value()) {
@@ -52,9 +50,9 @@ MotionRequest Requested(const SimulateArguments& arguments) {
   request.to = {RadiansFromDegrees(NumberArgument("--raise", arguments.raise->substr(colon + 1))),
                 plane_rad, 0};
   request.duration_s = NumberArgument("--seconds", arguments.seconds);
-  if (request.duration_s <= 0 || request.duration_s > kLongest_s) {
+  if (request.duration_s <= 0 || request.duration_s > kLongestMotion_s) {
     throw InputError("--seconds " + arguments.seconds + ": expected more than 0 and at most " +
-                     NumberText(kLongest_s));
+                     NumberText(kLongestMotion_s));
   }
   return request;
 }

@@ -7,6 +7,8 @@
 /// round when a . b < 0. Align signs first (AlignedWith). Parameters t are in [0, 1].
 #pragma once
 
+#include <array>
+
 #include "kinematics/rotation.h"
 
 namespace girdle {
@@ -24,5 +26,18 @@ namespace girdle {
 /// the inner control points s_i and s_next.
 [[nodiscard]] Quaternion Squad(const Quaternion& q_i, const Quaternion& q_next,
                                const Quaternion& s_i, const Quaternion& s_next, double t) noexcept;
+
+/// Three rotations that are interpolated with the same t: the joints of a shoulder.
+using JointRotations = std::array<Quaternion, 3>;
+
+/// As above for each of three; evaluated together, which takes little longer than one.
+[[nodiscard]] JointRotations Slerp(const JointRotations& a, const JointRotations& b,
+                                   double t) noexcept;
+[[nodiscard]] JointRotations SquadControl(const JointRotations& q_previous,
+                                          const JointRotations& q_i,
+                                          const JointRotations& q_next) noexcept;
+[[nodiscard]] JointRotations Squad(const JointRotations& q_i, const JointRotations& q_next,
+                                   const JointRotations& s_i, const JointRotations& s_next,
+                                   double t) noexcept;
 
 }  // namespace girdle

@@ -10,8 +10,6 @@
 #include <string>
 #include <utility>
 
-#include "kinematics/rotation_spline.h"
-
 namespace girdle {
 namespace {
 
@@ -25,9 +23,9 @@ std::optional<Enum> FromName(const std::array<std::string_view, N>& names,
   return static_cast<Enum>(found - names.begin());
 }
 
-Quaternion JointRotationAt(const RhythmPosition& position, std::size_t joint) noexcept {
+JointRotations RotationsAt(const RhythmPosition& position) noexcept {
   const ShoulderPose pose = PoseFromAngles(position.angles_rad);
-  return joint == 0 ? pose.q_TC : joint == 1 ? pose.q_CS : pose.q_SH;
+  return {pose.q_TC, pose.q_CS, pose.q_SH};
 }
 
 // Nearest value of [lower, upper]; a NaN gives `lower`.
@@ -66,49 +64,55 @@ std::string_view Name(Closure closure) noexcept {
 }
 
 ShoulderRhythm::ShoulderRhythm(RhythmTable table, RhythmOptions options)
-    : table_(std::move(table)), options_(options) {
-  const std::size_t planes = table_.planes_rad().size();
+    : table_(std::move(table)), options_(options), series_(table_.planes_rad().size()) {
   const std::size_t elevations = table_.elevations_rad().size();
-  series_.resize(kJointCount * planes);
-  for (std::size_t joint = 0; joint < kJointCount; ++joint) {
-    for (std::size_t plane = 0; plane < planes; ++plane) {
-      Series& series = series_[joint * planes + plane];
-      series.knots.resize(elevations);
-      for (std::size_t i = 0; i < elevations; ++i) {
-        const Quaternion q = JointRotationAt(table_.position(plane, i), joint);
-        // Signs agree along elevation, and along plane by way of the first elevation.
-        const Quaternion* plane_neighbour =
-            plane > 0 ? &series_[joint * planes + plane - 1].knots[i] : nullptr;
-        if (i > 0) {
-          series.knots[i] = AlignedWith(q, series.knots[i - 1]);
-        } else {
-          series.knots[i] = plane_neighbour != nullptr ? AlignedWith(q, *plane_neighbour) : q;
-        }
-        if (plane_neighbour != nullptr && glm::dot(series.knots[i], *plane_neighbour) <= 0) {
-          throw std::invalid_argument(
-              "joint " + std::to_string(joint) + " turns by 180 deg or more between planes " +
-              std::to_string(DegreesFromRadians(table_.planes_rad()[plane - 1])) + " and " +
-              std::to_string(DegreesFromRadians(table_.planes_rad()[plane])) +
-              " deg at elevation " +
-              std::to_string(DegreesFromRadians(table_.elevations_rad()[i])) +
-              " deg; a denser grid is needed");
-        }
-      }
-      // The ends of a series have one neighbour: s_0 = q_0 and s_n = q_n.
-      series.controls = series.knots;
-      for (std::size_t i = 1; i + 1 < elevations; ++i) {
-        series.controls[i] =
-            SquadControl(series.knots[i - 1], series.knots[i], series.knots[i + 1]);
-      }
+  for (std::size_t plane = 0; plane < series_.size(); ++plane) {
+    Series& series = series_[plane];
+    series.knots.resize(elevations);
+    for (std::size_t i = 0; i < elevations; ++i) {
+      series.knots[i] = RotationsAt(table_.position(plane, i));
+      AlignSigns(plane, i);
+    }
+    // The ends of a series have one neighbour: s_0 = q_0 and s_n = q_n.
+    series.controls = series.knots;
+    for (std::size_t i = 1; i + 1 < elevations; ++i) {
+      series.controls[i] = SquadControl(series.knots[i - 1], series.knots[i], series.knots[i + 1]);
     }
   }
 }
 
-// q_j = squad along theta in plane j                                                          (10)
+// Signs agree along elevation, and along plane by way of the first elevation.
+void ShoulderRhythm::AlignSigns(std::size_t plane, std::size_t elevation) {
+  JointRotations& knot = series_[plane].knots[elevation];
+  for (std::size_t joint = 0; joint < kJointCount; ++joint) {
+    if (elevation > 0) {
+      knot[joint] = AlignedWith(knot[joint], series_[plane].knots[elevation - 1][joint]);
+    }
+    if (plane == 0) {
+      continue;
+    }
+    const Quaternion& neighbour = series_[plane - 1].knots[elevation][joint];
+    if (elevation == 0) {
+      knot[joint] = AlignedWith(knot[joint], neighbour);
+    }
+    if (glm::dot(knot[joint], neighbour) <= 0) {
+      const auto degrees = [](double angle_rad) {
+        return std::to_string(DegreesFromRadians(angle_rad));
+      };
+      throw std::invalid_argument(
+          "joint " + std::to_string(joint) + " turns by 180 deg or more between planes " +
+          degrees(table_.planes_rad()[plane - 1]) + " and " + degrees(table_.planes_rad()[plane]) +
+          " deg at elevation " + degrees(table_.elevations_rad()[elevation]) +
+          " deg; a denser grid is needed");
+    }
+  }
+}
+
+// q_j = squad along theta in plane j                                                       (10)
 // (11)
-Quaternion ShoulderRhythm::AlongElevation(std::size_t joint, std::size_t plane,
-                                          const RhythmCell& cell) const noexcept {
-  const Series& series = series_[joint * table_.planes_rad().size() + plane];
+JointRotations ShoulderRhythm::AlongElevation(std::size_t plane,
+                                              const RhythmCell& cell) const noexcept {
+  const Series& series = series_[plane];
   const std::size_t i = cell.elevation_index;
   if (options_.interpolation == Interpolation::kSlerp) {
     return Slerp(series.knots[i], series.knots[i + 1], cell.elevation_weight);
@@ -117,20 +121,17 @@ Quaternion ShoulderRhythm::AlongElevation(std::size_t joint, std::size_t plane,
                cell.elevation_weight);
 }
 
-// q = squad(q_j, q_j+1, t_psi), its control points from the neighbouring planes at the same theta
-// (12)
-Quaternion ShoulderRhythm::JointRotation(std::size_t joint, const RhythmCell& cell) const noexcept {
+// q = squad(q_j, q_j+1, t_psi), control points from the neighbouring planes at the same theta (12)
+JointRotations ShoulderRhythm::RotationsIn(const RhythmCell& cell) const noexcept {
   const std::size_t j = cell.plane_index;
-  const Quaternion q_j = AlongElevation(joint, j, cell);
-  const Quaternion q_next = AlongElevation(joint, j + 1, cell);
+  const JointRotations q_j = AlongElevation(j, cell);
+  const JointRotations q_next = AlongElevation(j + 1, cell);
   if (options_.interpolation == Interpolation::kSlerp) {
     return Slerp(q_j, q_next, cell.plane_weight);
   }
-  const Quaternion s_j =
-      j == 0 ? q_j : SquadControl(AlongElevation(joint, j - 1, cell), q_j, q_next);
-  const Quaternion s_next = j + 2 == table_.planes_rad().size()
-                                ? q_next
-                                : SquadControl(q_j, q_next, AlongElevation(joint, j + 2, cell));
+  const JointRotations s_j = j == 0 ? q_j : SquadControl(AlongElevation(j - 1, cell), q_j, q_next);
+  const JointRotations s_next =
+      j + 2 == series_.size() ? q_next : SquadControl(q_j, q_next, AlongElevation(j + 2, cell));
   return Squad(q_j, q_next, s_j, s_next, cell.plane_weight);
 }
 
@@ -155,7 +156,8 @@ ShoulderSolution ShoulderRhythm::Solve(const ArmCommand& command) const noexcept
   cell.elevation_weight = IntervalWeight(elevations, cell.elevation_index, elevation);
   cell.plane_weight = IntervalWeight(planes, cell.plane_index, plane);
 
-  ShoulderPose pose{JointRotation(0, cell), JointRotation(1, cell), JointRotation(2, cell)};
+  const JointRotations rotations = RotationsIn(cell);
+  ShoulderPose pose{rotations[0], rotations[1], rotations[2]};
   // A turn about the humerus's own y comes last in X-Z'-Y'': it adds to the measured axial angle.
   if (std::isfinite(command.axial_rad) && command.axial_rad != 0) {
     pose.q_SH = pose.q_SH * Exp({0, command.axial_rad, 0});

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "kinematics/rhythm_table.h"
+#include "kinematics/rotation_spline.h"
 #include "kinematics/shoulder_pose.h"
 
 namespace girdle {
@@ -92,19 +93,20 @@ class ShoulderRhythm {
   [[nodiscard]] const RhythmOptions& options() const noexcept { return options_; }
 
  private:
-  /// One joint along one plane: rotations at the elevations and squad's inner control points.
+  /// One plane: the three joints at its elevations, and squad's inner control points.
   struct Series {
-    std::vector<Quaternion> knots;
-    std::vector<Quaternion> controls;
+    std::vector<JointRotations> knots;
+    std::vector<JointRotations> controls;
   };
 
-  [[nodiscard]] Quaternion AlongElevation(std::size_t joint, std::size_t plane,
-                                          const RhythmCell& cell) const noexcept;
-  [[nodiscard]] Quaternion JointRotation(std::size_t joint, const RhythmCell& cell) const noexcept;
+  void AlignSigns(std::size_t plane, std::size_t elevation);
+  [[nodiscard]] JointRotations AlongElevation(std::size_t plane,
+                                              const RhythmCell& cell) const noexcept;
+  [[nodiscard]] JointRotations RotationsIn(const RhythmCell& cell) const noexcept;
 
   RhythmTable table_;
   RhythmOptions options_;
-  std::vector<Series> series_;  ///< [joint * planes + plane]
+  std::vector<Series> series_;  ///< one a plane
 };
 
 }  // namespace girdle

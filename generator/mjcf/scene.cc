@@ -11,9 +11,9 @@ namespace girdle {
 namespace {
 
 // What the cameras look at: between the jugular notch and the arm, in the world [m].
-const Vector3 kCenter_m{-0.05, -0.15, 1.3};
+const Vector3 kCenter_m{-0.05, -0.22, 1.33};
 constexpr double kExtent_m = 0.7;
-constexpr double kCameraDistance_m = 1.3;
+constexpr double kCameraDistance_m = 1.0;
 
 void WriteCamera(XmlElement& world, const char* name, const Vector3& direction,
                  const std::array<double, 6>& xyaxes) {
@@ -36,6 +36,7 @@ std::string SceneXml(const std::string& model_file) {
       .Set("diffuse", std::array{0.5, 0.5, 0.5})
       .Set("ambient", std::array{0.35, 0.35, 0.35})
       .Set("specular", std::array{0.0, 0.0, 0.0});
+  visual.Add("rgba").Set("haze", std::array{0.68, 0.73, 0.78, 1.0});
   visual.Add("global").Set("azimuth", 215).Set("elevation", -15);
   XmlElement asset = root.Add("asset");
   asset.Add("texture")

@@ -58,9 +58,9 @@ void Destroy(mjData* data, int instance) noexcept {
 }
 
 void Compute(const mjModel* model, mjData* data, int instance, int capability) noexcept {
-  const RhythmController& controller = *ControllerOf(data, instance);
+  RhythmController& controller = *ControllerOf(data, instance);
   if ((capability & mjPLUGIN_ACTUATOR) != 0) {
-    controller.Actuate(*model, *data);
+    controller.Actuate(*data);
   }
   if ((capability & mjPLUGIN_SENSOR) != 0) {
     controller.Sense(*model, *data, instance);

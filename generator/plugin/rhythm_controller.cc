@@ -107,6 +107,7 @@ RhythmController::RhythmController(const mjModel& model, int instance, const Rhy
   }
   CheckAllTaken(kCommandNames, has_command_, "command actuator", "joint=\"...\" gear=\"0\"");
   CheckAllTaken(kCoordinateNames, has_servo_, "servo", "joint=\"...\"");
+  solved_target_rad_ = AnglesFromPose(rhythm_.Solve(solved_command_).pose);
 }
 
 void RhythmController::AddCommand(const mjModel& model, int actuator) {
@@ -151,8 +152,18 @@ ArmCommand RhythmController::ReadCommand(const mjData& data) const noexcept {
   return {commands_[0].Read(data), commands_[1].Read(data), commands_[2].Read(data)};
 }
 
-void RhythmController::Actuate(const mjModel& /*model*/, mjData& data) const noexcept {
-  const JointAngles target_rad = AnglesFromPose(rhythm_.Solve(ReadCommand(data)).pose);
+const JointAngles& RhythmController::TargetsFor(const ArmCommand& command) noexcept {
+  if (command.elevation_rad != solved_command_.elevation_rad ||
+      command.plane_rad != solved_command_.plane_rad ||
+      command.axial_rad != solved_command_.axial_rad) {
+    solved_command_ = command;
+    solved_target_rad_ = AnglesFromPose(rhythm_.Solve(command).pose);
+  }
+  return solved_target_rad_;
+}
+
+void RhythmController::Actuate(mjData& data) noexcept {
+  const JointAngles& target_rad = TargetsFor(ReadCommand(data));
   for (std::size_t k = 0; k < kCoordinateCount; ++k) {
     const Servo& servo = servos_[k];
     data.actuator_force[servo.force_address] =
@@ -160,9 +171,9 @@ void RhythmController::Actuate(const mjModel& /*model*/, mjData& data) const noe
   }
 }
 
-void RhythmController::Sense(const mjModel& model, mjData& data, int instance) const noexcept {
+void RhythmController::Sense(const mjModel& model, mjData& data, int instance) noexcept {
   const ArmCommand command = ReadCommand(data);
-  const JointAngles target_rad = AnglesFromPose(rhythm_.Solve(command).pose);
+  const JointAngles& target_rad = TargetsFor(command);
   const Quaternion q_TH =
       glm::conjugate(BodyRotation(data, thorax_body_)) * BodyRotation(data, humerus_body_);
   const ArmAngles reached = ArmAnglesFromRotation(q_TH);

@@ -37,11 +37,11 @@ class RhythmController {
   RhythmController(const mjModel& model, int instance, const RhythmConfig& config);
 
   /// Writes the forces of the nine servos; the commands' stay 0.
-  void Actuate(const mjModel& model, mjData& data) const noexcept;
+  void Actuate(mjData& data) noexcept;
 
   /// Writes the instance's sensors, see sensor_layout. Positions are those of `data`, forward
   /// kinematics done.
-  void Sense(const mjModel& model, mjData& data, int instance) const noexcept;
+  void Sense(const mjModel& model, mjData& data, int instance) noexcept;
 
  private:
   /// Control of an actuator, its range applied where the model gives one.
@@ -64,6 +64,8 @@ class RhythmController {
   void AddCommand(const mjModel& model, int actuator);
   void AddServo(const mjModel& model, int actuator, const RhythmConfig& config);
   [[nodiscard]] ArmCommand ReadCommand(const mjData& data) const noexcept;
+  /// Targets of the nine servos for a command.
+  const JointAngles& TargetsFor(const ArmCommand& command) noexcept;
 
   ShoulderRhythm rhythm_;
   std::array<Control, kCommandCount> commands_{};
@@ -72,6 +74,11 @@ class RhythmController {
   std::array<bool, kCoordinateCount> has_servo_{};
   int thorax_body_ = 0;
   int humerus_body_ = 0;
+
+  /// The last command solved and its targets. Not state: the same command always has the same
+  /// targets. It spares the sensor what the servos have computed in the same step.
+  ArmCommand solved_command_;
+  JointAngles solved_target_rad_{};
 };
 
 }  // namespace girdle

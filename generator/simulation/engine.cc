@@ -3,9 +3,11 @@
 
 #include "simulation/engine.h"
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <mutex>
+#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -35,6 +37,23 @@ std::string TakeWarnings() {
     text += (text.empty() ? "" : "; ") + warning;
   }
   return text;
+}
+
+// The lines of a text on one line, each once: MuJoCo's reason repeats what a plugin says at each of
+// its tries.
+std::string DistinctLines(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) {
+    if (!line.empty() && std::find(lines.begin(), lines.end(), line) == lines.end()) {
+      lines.push_back(line);
+    }
+  }
+  std::string joined;
+  for (const std::string& line : lines) {
+    joined += (joined.empty() ? "" : "; ") + line;
+  }
+  return joined;
 }
 
 }  // namespace
@@ -80,14 +99,10 @@ ModelPointer LoadModel(const std::string& path) {
   ModelPointer model(std::filesystem::path(path).extension() == ".mjb"
                          ? mj_loadModel(path.c_str(), nullptr)
                          : mj_loadXML(path.c_str(), nullptr, error.data(), kErrorSize));
-  // The plugin tells what is wrong in a warning, MuJoCo only that something is.
-  const std::string reasons = TakeWarnings();
-  if (model == nullptr || !reasons.empty()) {
-    std::string reason = reasons;
-    if (error[0] != '\0') {
-      reason += (reason.empty() ? "" : "; ") + std::string(error.data());
-    }
-    throw InputError(path + ": MuJoCo cannot load it: " + reason +
+  const std::string warned = TakeWarnings();
+  if (model == nullptr || !warned.empty()) {
+    throw InputError(path + ": MuJoCo cannot load it: " +
+                     DistinctLines(std::string(error.data()) + "\n" + warned) +
                      ". Mend the model or make it anew with girdle generate");
   }
   return model;

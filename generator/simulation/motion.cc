@@ -13,8 +13,6 @@
 namespace girdle {
 namespace {
 
-// Nobody raises an arm for longer, and the number of steps must fit.
-constexpr double kLongestMotion_s = 1e5;
 constexpr double kFullCircle_deg = 360;
 
 ArmCommand Between(const ArmCommand& a, const ArmCommand& b, double t) {

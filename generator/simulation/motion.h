@@ -12,6 +12,9 @@
 
 namespace girdle {
 
+/// A day: nobody raises an arm for longer, and the number of steps stays countable.
+inline constexpr double kLongestMotion_s = 86400;
+
 struct Motion {
   std::string name;
   double duration_s = 0;

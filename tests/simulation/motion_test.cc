@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "simulation/motion.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+#include <string>
+
+#include "tables/input_error.h"
+
+namespace girdle {
+namespace {
+
+Motion FromText(const std::string& text) {
+  std::istringstream in(text);
+  return ReadMotion(in, "motion.csv");
+}
+
+constexpr const char* kValid = "time_s,elevation_deg,plane_deg\n0,20,0\n1,80,40\n3,100,90\n";
+
+TEST(ReachingMotion, StartsAndEndsAtItsCommandsAndHoldsThem) {
+  const Motion motion = ReachingMotion("reach", {0.3, 0, 0.1}, {1.9, 0.5, -0.2}, 2);
+  for (const double before : {-1.0, 0.0}) {
+    EXPECT_EQ(motion.command(before).elevation_rad, 0.3) << before;
+    EXPECT_EQ(motion.command(before).axial_rad, 0.1) << before;
+  }
+  for (const double after : {2.0, 5.0}) {
+    EXPECT_DOUBLE_EQ(motion.command(after).elevation_rad, 1.9) << after;
+    EXPECT_DOUBLE_EQ(motion.command(after).plane_rad, 0.5) << after;
+  }
+}
+
+TEST(ReachingMotion, IsAtRestAtBothEndsAndFastestInTheMiddle) {
+  const double duration_s = 2;
+  const Motion motion = ReachingMotion("reach", {0, 0, 0}, {1, 0, 0}, duration_s);
+  const double h = 1e-4;
+  const auto speed = [&](double time_s) {
+    return (motion.command(time_s + h).elevation_rad - motion.command(time_s - h).elevation_rad) /
+           (2 * h);
+  };
+  EXPECT_NEAR(speed(0), 0, 1e-6);
+  EXPECT_NEAR(speed(duration_s), 0, 1e-6);
+  // 30 t^2 (1-t)^2 at t = 1/2 is 15/8, per duration.
+  EXPECT_NEAR(speed(duration_s / 2), 15.0 / 8 / duration_s, 1e-6);
+}
+
+TEST(ReadMotion, GoesInStraightLinesBetweenRows) {
+  const Motion motion = FromText(kValid);
+  EXPECT_EQ(motion.duration_s, 3);
+  EXPECT_NEAR(DegreesFromRadians(motion.command(0.25).elevation_rad), 35, 1e-12);
+  EXPECT_NEAR(DegreesFromRadians(motion.command(2).plane_rad), 65, 1e-12);
+  EXPECT_EQ(motion.command(9).elevation_rad, RadiansFromDegrees(100));
+}
+
+TEST(ReadMotion, TakesAnAxialColumnAndAnyOrder) {
+  const Motion motion = FromText("plane_deg,axial_deg,time_s,elevation_deg\n10,5,0,20\n");
+  EXPECT_EQ(motion.command(0).axial_rad, RadiansFromDegrees(5));
+  EXPECT_EQ(motion.command(0).plane_rad, RadiansFromDegrees(10));
+}
+
+struct BadMotion {
+  const char* name;
+  const char* from;
+  const char* to;
+  const char* message;
+};
+
+class MotionRefusal : public testing::TestWithParam<BadMotion> {};
+
+TEST_P(MotionRefusal, NamesLineAndValue) {
+  std::string text = kValid;
+  const std::size_t at = text.find(GetParam().from);
+  ASSERT_NE(at, std::string::npos);
+  text.replace(at, std::string(GetParam().from).size(), GetParam().to);
+  try {
+    (void)FromText(text);
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), GetParam().message);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Rows, MotionRefusal,
+    testing::Values(BadMotion{"TimeGoesBack", "\n3,", "\n0.5,",
+                              "motion.csv:4: time_s is 0.5, which does not increase (previous 1)"},
+                    BadMotion{"NegativeTime", "\n0,", "\n-1,",
+                              "motion.csv:2: time_s is -1, expected 0 to 86400"},
+                    BadMotion{"UnknownColumn", "plane_deg", "plan_deg",
+                              "motion.csv:1: column 'plan_deg' is not known. Remove it or correct "
+                              "its name"},
+                    BadMotion{"NoRows", "0,20,0\n1,80,40\n3,100,90\n", "",
+                              "motion.csv:1: the motion has no rows"}),
+    [](const auto& parameter) { return parameter.param.name; });
+
+}  // namespace
+}  // namespace girdle
