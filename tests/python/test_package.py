@@ -1,0 +1,63 @@
+# SPDX-FileCopyrightText: 2026 The Girdle authors
+# SPDX-License-Identifier: Apache-2.0
+"""What `cmake --install` puts somewhere works from there, for users and for other projects."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+from pathlib import Path
+
+import pytest
+
+CONSUMER = Path(__file__).resolve().parents[1] / "package"
+
+
+def run(*command: str | Path) -> str:
+    result = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert result.returncode == 0, result.stdout + result.stderr
+    return result.stdout
+
+
+@pytest.fixture(scope="module")
+def prefix(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("installed")
+    run("cmake", "--install", os.environ["GIRDLE_BUILD_DIR"], "--prefix", folder)
+    return folder
+
+
+def test_another_project_finds_and_uses_the_package(prefix: Path, tmp_path: Path) -> None:
+    run("cmake", "-S", CONSUMER, "-B", tmp_path, f"-DCMAKE_PREFIX_PATH={prefix}")
+    run("cmake", "--build", tmp_path)
+    # SC protraction of the table's own row: plane 0, elevation 90.
+    assert run(tmp_path / "consumer") == "-40.600000\n"
+
+
+def test_the_installed_program_finds_its_plugin_and_its_simulation(
+    prefix: Path, tmp_path: Path
+) -> None:
+    program = prefix / "bin" / "girdle"
+    run(program, "generate", "--out", tmp_path)
+    assert "all residuals within" in run(program, "verify", tmp_path / "scene.xml")
+
+
+def test_the_installed_model_is_the_emitted_one(prefix: Path, tmp_path: Path) -> None:
+    run(prefix / "bin" / "girdle", "generate", "--out", tmp_path)
+    installed = prefix / "share" / "girdle" / "model" / "shoulder_right" / "shoulder_right.xml"
+    assert installed.read_bytes() == (tmp_path / "shoulder_right.xml").read_bytes()
+
+
+def test_solve_works_without_anything_that_runs_mujoco(prefix: Path, tmp_path: Path) -> None:
+    alone = tmp_path / "girdle"
+    alone.write_bytes((prefix / "bin" / "girdle").read_bytes())
+    alone.chmod(0o755)
+    assert "sc_protraction" in run(alone, "solve", "--elevation", "30", "--plane", "0")
+    assert "not loaded" in run(alone, "generate", "--out", tmp_path / "model")
+    refused = subprocess.run(
+        [alone, "verify", tmp_path / "model" / "scene.xml"],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert refused.returncode == 2
+    assert "needs MuJoCo" in refused.stderr

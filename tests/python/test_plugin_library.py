@@ -1,0 +1,23 @@
+# SPDX-FileCopyrightText: 2026 The Girdle authors
+# SPDX-License-Identifier: Apache-2.0
+"""The plugin as a library: it brings no second MuJoCo and offers nothing to call."""
+
+from __future__ import annotations
+
+import subprocess
+from pathlib import Path
+
+
+def output_of(*command: str | Path) -> str:
+    return subprocess.run(command, check=True, capture_output=True, text=True).stdout
+
+
+def test_the_plugin_needs_no_mujoco_library(plugin_library: Path) -> None:
+    needed = [line for line in output_of("readelf", "-dW", plugin_library).splitlines() if "NEEDED" in line]
+    assert needed, "readelf lists no library at all"
+    assert not [line for line in needed if "mujoco" in line]
+
+
+def test_the_plugin_exports_nothing(plugin_library: Path) -> None:
+    assert output_of("nm", "-D", "--undefined-only", plugin_library), "nm reads no symbol at all"
+    assert output_of("nm", "-D", "--defined-only", plugin_library) == ""
