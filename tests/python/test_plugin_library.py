@@ -4,7 +4,9 @@
 
 from __future__ import annotations
 
+import shutil
 import subprocess
+import sys
 from pathlib import Path
 
 
@@ -21,3 +23,16 @@ def test_the_plugin_needs_no_mujoco_library(plugin_library: Path) -> None:
 def test_the_plugin_exports_nothing(plugin_library: Path) -> None:
     assert output_of("nm", "-D", "--undefined-only", plugin_library), "nm reads no symbol at all"
     assert output_of("nm", "-D", "--defined-only", plugin_library) == ""
+
+
+def test_a_plugin_folder_is_scanned_as_the_simulate_program_does(
+    plugin_library: Path, model_path: Path, tmp_path: Path
+) -> None:
+    shutil.copy(plugin_library, tmp_path)
+    script = (
+        "import ctypes, mujoco, pathlib, sys\n"
+        "engine = next(pathlib.Path(mujoco.__file__).parent.glob('libmujoco.so.*'))\n"
+        "ctypes.CDLL(engine).mj_loadAllPluginLibraries(sys.argv[1].encode(), None)\n"
+        "print(mujoco.MjModel.from_xml_path(sys.argv[2]).nplugin)\n"
+    )
+    assert output_of(sys.executable, "-c", script, tmp_path, model_path) == "1\n"

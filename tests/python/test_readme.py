@@ -1,0 +1,93 @@
+# SPDX-FileCopyrightText: 2026 The Girdle authors
+# SPDX-License-Identifier: Apache-2.0
+"""What the README tells a reader to type works: its Python, its C++ and its command lines."""
+
+from __future__ import annotations
+
+import re
+import shlex
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+README = (ROOT / "README.md").read_text(encoding="utf-8")
+
+
+def block(language: str) -> str:
+    found = re.findall(rf"```{language}\n(.*?)```", README, flags=re.DOTALL)
+    assert found, f"the README has no {language}"
+    return str(found[0])
+
+
+def run(*command: str | Path, folder: Path) -> str:
+    finished = subprocess.run(
+        command, cwd=folder, capture_output=True, text=True, check=False, timeout=120
+    )
+    assert finished.returncode == 0, finished.stdout + finished.stderr
+    assert finished.stderr == ""
+    return finished.stdout
+
+
+@pytest.fixture
+def checkout(tmp_path: Path, program: Path, plugin_library: Path) -> Path:
+    """A folder in which the README's paths lead to what is tested."""
+    release = tmp_path / "build" / "release"
+    release.mkdir(parents=True)
+    (release / plugin_library.name).symlink_to(plugin_library)
+    (tmp_path / "build" / "engine").symlink_to(ROOT / "build" / "engine")
+    run(program, "generate", "--out", tmp_path / "build" / "model", folder=tmp_path)
+    return tmp_path
+
+
+def test_the_python_of_the_readme_raises_the_arm(checkout: Path) -> None:
+    printed = run(sys.executable, "-c", block("python"), folder=checkout)
+    upward_rotation, elevation, plane = map(float, re.findall(r"-?\d+\.\d+", printed))
+    assert upward_rotation < -0.2  # upward rotation is negative
+    assert elevation == pytest.approx(1.57, abs=0.03)  # the table's own arm is up to 1.7 deg off
+    assert plane == pytest.approx(0.70, abs=0.06)
+
+
+def test_the_c_plus_plus_of_the_readme_raises_the_arm(checkout: Path) -> None:
+    (checkout / "arm.cc").write_text(block("cpp"), encoding="utf-8")
+    build = next(text for text in re.findall(r"```sh\n(.*?)```", README, re.DOTALL) if "g++" in text)
+    run("bash", "-ec", build, folder=checkout)
+    assert re.fullmatch(
+        r"-0\.2\d+ rad of upward rotation\n", run(checkout / "arm", folder=checkout)
+    )
+
+
+def readme_commands() -> list[str]:
+    return re.findall(r"^\| `(girdle [^`]*)` \|", README, flags=re.MULTILINE)
+
+
+def test_the_readme_shows_every_verb() -> None:
+    assert {line.split()[1] for line in readme_commands()} == {
+        "solve",
+        "generate",
+        "simulate",
+        "verify",
+    }
+
+
+@pytest.mark.parametrize("line", readme_commands())
+def test_a_command_line_of_the_readme_works(line: str, checkout: Path, program: Path) -> None:
+    (checkout / "poses.csv").write_text("elevation_deg,plane_deg\n23,50\n", encoding="utf-8")
+    words = [word if word != "scene.xml" else "build/model/scene.xml" for word in shlex.split(line)]
+    run(program, *words[1:], folder=checkout)
+
+
+def test_the_report_of_the_readme_has_the_lines_of_the_program(
+    checkout: Path, program: Path
+) -> None:
+    """Values that rounding makes may differ from machine to machine; everything else is the same."""
+    tiny = re.compile(r" +[0-9.]+e-1[0-9] | +0 ")
+    printed = run(program, "verify", "build/model/scene.xml", folder=checkout).splitlines()
+    kept = {tiny.sub(" ~ ", line).rsplit("  ", 1)[0].split("~")[0].rstrip() for line in printed}
+    shown = re.search(r"```\n(residual .*?)\n\nmodel:", README, re.DOTALL)
+    assert shown
+    for line in shown[1].splitlines():
+        if line not in ("...", ""):
+            assert tiny.sub(" ~ ", line).rsplit("  ", 1)[0].split("~")[0].rstrip() in kept, line
