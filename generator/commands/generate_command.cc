@@ -6,7 +6,10 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "commands/output_file.h"
 #include "commands/rhythm_arguments.h"
@@ -29,19 +32,26 @@ struct GenerateArguments {
   bool json = false;
 };
 
+std::string ModelXml(const RhythmArguments& arguments) {
+  const ShoulderRhythm rhythm = ChosenRhythm(arguments);
+  try {
+    return ShoulderModelXml(BuiltInAnatomy(), rhythm, {.carries_table = !arguments.table.empty()});
+  } catch (const std::invalid_argument& error) {
+    throw InputError(arguments.table + ": " + error.what());
+  }
+}
+
 void Generate(const GenerateArguments& arguments) {
-  const ShoulderRhythm rhythm = ChosenRhythm(arguments.rhythm);
-  ShoulderModelOptions options;
-  options.carries_table = !arguments.rhythm.table.empty();
+  const std::vector<std::pair<std::string, std::string>> files = {
+      {kSceneFile, SceneXml(kModelFile)}, {kModelFile, ModelXml(arguments.rhythm)}};
+  // What MuJoCo does not accept is not a model and is not written.
+  const std::string checked =
+      HasSimulation() ? LoadSimulation().check_model(files, ChosenPlugin(arguments.plugin))
+                      : "not loaded: this program was built without MuJoCo";
   const std::filesystem::path folder(arguments.out);
-  WriteFiles(folder, {{kModelFile, ShoulderModelXml(BuiltInAnatomy(), rhythm, options)},
-                      {kSceneFile, SceneXml(kModelFile)}});
+  WriteFiles(folder, files);
   const std::string model = (folder / kModelFile).string();
   const std::string scene = (folder / kSceneFile).string();
-  // What MuJoCo does not accept is not a model.
-  const std::string checked =
-      HasSimulation() ? LoadSimulation().check_model(scene, ChosenPlugin(arguments.plugin))
-                      : "not loaded: this program was built without MuJoCo";
   if (arguments.json) {
     nlohmann::ordered_json json;
     json["model"] = model;

@@ -21,32 +21,51 @@ namespace girdle {
 namespace {
 
 constexpr int kBadInput = 2;
+constexpr const char* kSeeHelp = "See girdle --help";
+
+std::string VerbNames(const CLI::App& program) {
+  std::string names;
+  for (const CLI::App* verb : program.get_subcommands({})) {
+    names += " " + verb->get_name();
+  }
+  return names;
+}
 
 // CLI11 would call an unknown verb an unexpected argument.
 void CheckVerb(const CLI::App& program, int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') {
     return;
   }
-  std::string known;
   for (const CLI::App* verb : program.get_subcommands({})) {
     if (verb->get_name() == argv[1]) {
       return;
     }
-    known += " " + verb->get_name();
   }
-  throw InputError("'" + std::string(argv[1]) + "' is not a verb. Verbs are:" + known);
+  throw InputError("'" + std::string(argv[1]) + "' is not a verb. Verbs are:" + VerbNames(program) +
+                   "\n" + kSeeHelp);
+}
+
+// An empty word is a shell variable that was not set, never a choice.
+void RefuseEmptyWords(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (word.empty() || (word.starts_with("--") && word.ends_with("="))) {
+      const std::string option = word.empty() ? argv[i - 1] : word.substr(0, word.size() - 1);
+      throw InputError(option + " '': is empty. Give it a value or leave it away");
+    }
+  }
 }
 
 int Run(int argc, char** argv) {
   CLI::App program("A human shoulder for MuJoCo that moves as measured.", "girdle");
   program.set_version_flag("--version", "girdle " GIRDLE_VERSION);
-  program.require_subcommand(1);
   int residual_status = 0;
   AddSolveCommand(program);
   AddGenerateCommand(program);
   AddSimulateCommand(program);
   AddVerifyCommand(program, residual_status);
   program.footer("girdle VERB --help tells more, with examples.");
+  RefuseEmptyWords(argc, argv);
   CheckVerb(program, argc, argv);
   try {
     program.parse(argc, argv);
@@ -56,7 +75,10 @@ int Run(int argc, char** argv) {
     Print(text.str());
     return 0;
   } catch (const CLI::ParseError& error) {
-    throw InputError(std::string(error.what()) + "\nSee girdle --help");
+    throw InputError(std::string(error.what()) + "\n" + kSeeHelp);
+  }
+  if (program.get_subcommands().empty()) {
+    throw InputError("no verb. Verbs are:" + VerbNames(program) + "\n" + kSeeHelp);
   }
   return residual_status;
 }

@@ -3,6 +3,7 @@
 
 #include "commands/output_file.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -15,6 +16,8 @@ namespace girdle {
 namespace {
 
 constexpr std::string_view kStandardOutput = "-";
+// Read and write for all, less what the umask takes away.
+constexpr mode_t kFileMode = 0666;
 
 [[noreturn]] void FailWriting(const std::string& path) {
   throw InputError((path == kStandardOutput ? "standard output" : path) + ": cannot be written: " +
@@ -29,25 +32,58 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
     return;
   }
   std::error_code ignored;
-  const bool replaceable =
+  const bool is_replaced =
       !std::filesystem::exists(path_, ignored) || std::filesystem::is_regular_file(path_, ignored);
-  if (replaceable) {
-    // A link stays a link: what it points to is replaced.
-    path_ = std::filesystem::weakly_canonical(path_, ignored).string();
-    temporary_path_ = path_ + "." + std::to_string(getpid()) + ".part";
+  if (!is_replaced) {
+    file_ = std::fopen(path_.c_str(), "wb");
+    if (file_ == nullptr) {
+      Fail();
+    }
+    return;
   }
-  file_ = std::fopen((replaceable ? temporary_path_ : path_).c_str(), "wb");
+  // A link stays a link: what it points to is replaced.
+  const std::filesystem::path target = std::filesystem::weakly_canonical(path_, ignored);
+  path_ = target.string();
+  temporary_path_ = path_ + "." + std::to_string(getpid()) + ".part";
+  if (!OpenUnnamed(target.parent_path().string())) {
+    OpenNamed();
+  }
+}
+
+// A file without a name vanishes with the program, however that ends. Not all file systems have
+// them.
+bool OutputFile::OpenUnnamed(const std::string& folder) {
+  const int descriptor = open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, kFileMode);
+  if (descriptor < 0) {
+    return false;
+  }
+  file_ = fdopen(descriptor, "wb");
+  is_named_ = false;
+  return true;
+}
+
+void OutputFile::OpenNamed() {
+  file_ = std::fopen(temporary_path_.c_str(), "wb");
   if (file_ == nullptr) {
     temporary_path_.clear();
     Fail();
   }
 }
 
+void OutputFile::Name() {
+  const std::string unnamed = "/proc/self/fd/" + std::to_string(fileno(file_));
+  if (linkat(AT_FDCWD, unnamed.c_str(), AT_FDCWD, temporary_path_.c_str(), AT_SYMLINK_FOLLOW) !=
+      0) {
+    Fail();
+  }
+  is_named_ = true;
+}
+
 OutputFile::~OutputFile() {
   if (file_ != nullptr && file_ != stdout) {
     std::fclose(file_);
   }
-  if (!temporary_path_.empty()) {
+  if (!temporary_path_.empty() && is_named_) {
     std::remove(temporary_path_.c_str());
   }
 }
@@ -64,6 +100,9 @@ void OutputFile::Commit() {
   }
   if (file_ == stdout) {
     return;
+  }
+  if (!is_named_) {
+    Name();
   }
   const int close_status = std::fclose(file_);
   file_ = nullptr;

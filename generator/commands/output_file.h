@@ -17,8 +17,9 @@ namespace girdle {
 /// A file under construction.
 ///
 /// A regular file is written under a temporary name beside its place and put there by Commit;
-/// without Commit nothing of it remains and what was there before stays. `-` is standard output; it
-/// and devices are written directly. All failures throw InputError with the reason.
+/// without Commit nothing of it remains and what was there before stays, even if the program is
+/// killed (where the file system knows files without a name). `-` is standard output; it and
+/// devices are written directly. All failures throw InputError with the reason.
 class OutputFile {
  public:
   explicit OutputFile(std::string path);
@@ -31,10 +32,15 @@ class OutputFile {
   void Commit();
 
  private:
+  [[nodiscard]] bool OpenUnnamed(const std::string& folder);
+  void OpenNamed();
+  /// Gives an unnamed file the temporary name.
+  void Name();
   [[noreturn]] void Fail() const;
 
   std::string path_;
-  std::string temporary_path_;  ///< empty when written directly
+  std::string temporary_path_;  ///< empty when the place itself is written
+  bool is_named_ = true;        ///< false while the file is on the disk without a name
   std::FILE* file_ = nullptr;
 };
 

@@ -3,8 +3,6 @@
 
 #include "commands/rhythm_arguments.h"
 
-#include <stdexcept>
-
 #include "tables/built_in.h"
 #include "tables/input_error.h"
 #include "tables/number_text.h"
@@ -58,14 +56,8 @@ RhythmOptions ChosenOptions(const RhythmArguments& arguments) {
 
 ShoulderRhythm ChosenRhythm(const RhythmArguments& arguments) {
   const RhythmOptions options = ChosenOptions(arguments);
-  if (arguments.table.empty()) {
-    return ShoulderRhythm(BuiltInRhythmTable(), options);
-  }
-  try {
-    return ShoulderRhythm(ReadRhythmTableFile(arguments.table), options);
-  } catch (const std::invalid_argument& error) {
-    throw InputError(arguments.table + ": " + error.what());
-  }
+  return arguments.table.empty() ? ShoulderRhythm(BuiltInRhythmTable(), options)
+                                 : ReadShoulderRhythm(arguments.table, options);
 }
 
 double NumberArgument(const std::string& option, const std::string& text) {

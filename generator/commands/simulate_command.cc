@@ -3,12 +3,16 @@
 
 #include "commands/simulate_command.h"
 
+#include <algorithm>
+#include <cmath>
+#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
 #include "commands/output_file.h"
+#include "commands/progress.h"
 #include "commands/rhythm_arguments.h"
 #include "commands/simulation_module.h"
 #include "simulation/motion.h"
@@ -18,16 +22,30 @@
 namespace girdle {
 namespace {
 
+constexpr double kFullCircle_deg = 360;
+
 struct SimulateArguments {
   std::string model;
   std::string plugin;
   std::optional<std::string> raise;
-  std::string plane = "0";
-  std::string seconds = "2";
+  std::optional<std::string> plane;
+  std::optional<std::string> seconds;
   std::optional<std::string> motion;
   std::string trace;
   bool json = false;
 };
+
+// An elevation of `--raise FROM:TO`.
+double RaiseElevation(const SimulateArguments& arguments, const std::string& text) {
+  const std::optional<double> elevation_deg = FiniteNumber(text);
+  if (!elevation_deg || std::abs(*elevation_deg) > kFullCircle_deg) {
+    throw InputError(
+        "--raise '" + *arguments.raise + "': '" + text +
+        "' is not an elevation within -360 to 360. Give two in degrees with a colon between, "
+        "such as 15:120");
+  }
+  return RadiansFromDegrees(*elevation_deg);
+}
 
 MotionRequest Requested(const SimulateArguments& arguments) {
   if (arguments.raise.has_value() == arguments.motion.has_value()) {
@@ -36,22 +54,23 @@ MotionRequest Requested(const SimulateArguments& arguments) {
   }
   MotionRequest request;
   if (arguments.motion) {
+    if (arguments.plane || arguments.seconds) {
+      throw InputError(
+          "--plane and --seconds belong to --raise; a --motion says both. Leave them away");
+    }
     request.file = *arguments.motion;
     return request;
   }
-  const std::size_t colon = arguments.raise->find(':');
-  if (colon == std::string::npos) {
-    throw InputError("--raise '" + *arguments.raise +
-                     "': expected two elevations with a colon between, such as 15:120");
-  }
-  const double plane_rad = RadiansFromDegrees(NumberArgument("--plane", arguments.plane));
-  request.from = {RadiansFromDegrees(NumberArgument("--raise", arguments.raise->substr(0, colon))),
-                  plane_rad, 0};
-  request.to = {RadiansFromDegrees(NumberArgument("--raise", arguments.raise->substr(colon + 1))),
+  const std::string& raise = *arguments.raise;
+  const std::size_t colon = std::min(raise.find(':'), raise.size());
+  const double plane_rad =
+      RadiansFromDegrees(NumberArgument("--plane", arguments.plane.value_or("0")));
+  request.from = {RaiseElevation(arguments, raise.substr(0, colon)), plane_rad, 0};
+  request.to = {RaiseElevation(arguments, raise.substr(std::min(colon + 1, raise.size()))),
                 plane_rad, 0};
-  request.duration_s = NumberArgument("--seconds", arguments.seconds);
+  request.duration_s = NumberArgument("--seconds", arguments.seconds.value_or("2"));
   if (request.duration_s <= 0 || request.duration_s > kLongestMotion_s) {
-    throw InputError("--seconds " + arguments.seconds + ": expected more than 0 and at most " +
+    throw InputError("--seconds " + *arguments.seconds + ": expected more than 0 and at most " +
                      NumberText(kLongestMotion_s));
   }
   return request;
@@ -64,6 +83,7 @@ void Simulate(const SimulateArguments& arguments) {
   if (!arguments.trace.empty()) {
     trace.emplace(arguments.trace);
   }
+  TerminalProgress progress("simulating", arguments.trace != "-");
   const SimulationSummary summary = simulation.simulate(
       arguments.model, ChosenPlugin(arguments.plugin), request,
       [&trace](std::string_view text) {
@@ -71,7 +91,8 @@ void Simulate(const SimulateArguments& arguments) {
           trace->Write(text);
         }
       },
-      TerminalProgress("simulating"));
+      std::ref(progress));
+  progress.Clear();
   if (trace) {
     trace->Commit();
   }

@@ -4,11 +4,8 @@
 #include "commands/simulation_module.h"
 
 #include <dlfcn.h>
-#include <unistd.h>
 
 #include <filesystem>
-#include <iostream>
-#include <memory>
 #include <system_error>
 
 #include "tables/input_error.h"
@@ -64,24 +61,6 @@ const SimulationModule& LoadSimulation() {
     throw InputError(path.string() + ": not the simulation of this program. Build Girdle again");
   }
   return *module();
-}
-
-ProgressSink TerminalProgress(const std::string& label) {
-  if (isatty(STDERR_FILENO) == 0) {
-    return [](double) {};
-  }
-  constexpr int kPercent = 100;
-  return [label, shown = -1](double done) mutable {
-    const int percent = static_cast<int>(kPercent * done);
-    if (percent == shown) {
-      return;
-    }
-    shown = percent;
-    std::cerr << "\r" << label << " " << percent << " %" << std::flush;
-    if (percent >= kPercent) {
-      std::cerr << "\r" << std::string(label.size() + 6, ' ') << "\r" << std::flush;
-    }
-  };
 }
 
 }  // namespace girdle

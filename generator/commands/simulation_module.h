@@ -23,8 +23,4 @@ void AddPluginArgument(CLI::App& verb, std::string& plugin);
 /// Loads that library, once. Throws InputError that says what is missing.
 [[nodiscard]] const SimulationModule& LoadSimulation();
 
-/// Returns a sink that draws progress on standard error where that is a terminal, else does
-/// nothing.
-[[nodiscard]] ProgressSink TerminalProgress(const std::string& label);
-
 }  // namespace girdle

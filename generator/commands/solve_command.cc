@@ -3,18 +3,24 @@
 
 #include "commands/solve_command.h"
 
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <system_error>
 
 #include "commands/output_file.h"
+#include "commands/progress.h"
 #include "commands/rhythm_arguments.h"
 #include "tables/csv.h"
 #include "tables/input_error.h"
 #include "tables/number_text.h"
+#include "tables/text_file.h"
 
 namespace girdle {
 namespace {
@@ -137,7 +143,9 @@ void SolveOne(const SolveArguments& arguments) {
 }
 
 // Reads poses row by row and writes each with its angles; memory does not grow with the file.
-void SolveRows(std::istream& in, const std::string& name, const SolveArguments& arguments) {
+// `bytes` is the length of the input, 0 if it is not known.
+void SolveRows(std::istream& in, const std::string& name, std::uintmax_t bytes,
+               const SolveArguments& arguments) {
   const ShoulderRhythm rhythm = ChosenRhythm(arguments.rhythm);
   const double axial_rad = RadiansFromDegrees(NumberArgument("--axial", arguments.axial_deg));
   CsvReader csv(in, name);
@@ -159,6 +167,8 @@ void SolveRows(std::istream& in, const std::string& name, const SolveArguments& 
 
   constexpr std::size_t kBufferSize = 1 << 16;
   OutputFile out(arguments.out);
+  TerminalProgress progress("solving", arguments.out != "-");
+  std::uintmax_t bytes_done = 0;
   while (csv.Next()) {
     const ShoulderSolution solution =
         rhythm.Solve({RadiansFromDegrees(csv.Number(elevation_column)),
@@ -169,9 +179,13 @@ void SolveRows(std::istream& in, const std::string& name, const SolveArguments& 
       AppendNumber(text, DegreesFromRadians(angle_rad));
     }
     text += solution.clamped ? ",1\n" : ",0\n";
+    bytes_done += csv.line().size() + 1;
     if (text.size() > kBufferSize) {
       out.Write(text);
       text.clear();
+      if (bytes > 0) {
+        progress(std::min(1.0, static_cast<double>(bytes_done) / static_cast<double>(bytes)));
+      }
     }
   }
   out.Write(text);
@@ -195,14 +209,13 @@ void Solve(const SolveArguments& arguments) {
     throw InputError("--json is for one pose. With --in the output is CSV: leave --json away");
   }
   if (arguments.in == "-") {
-    SolveRows(std::cin, "standard input", arguments);
+    SolveRows(std::cin, "standard input", 0, arguments);
     return;
   }
-  std::ifstream in(arguments.in, std::ios::binary);
-  if (!in) {
-    throw InputError(arguments.in + ": cannot be opened. Check the name and its permissions");
-  }
-  SolveRows(in, arguments.in, arguments);
+  std::ifstream in = OpenTextFile(arguments.in);
+  std::error_code unknown_size;
+  const std::uintmax_t bytes = std::filesystem::file_size(arguments.in, unknown_size);
+  SolveRows(in, arguments.in, unknown_size ? 0 : bytes, arguments);
 }
 
 }  // namespace

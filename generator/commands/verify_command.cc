@@ -3,10 +3,12 @@
 
 #include "commands/verify_command.h"
 
+#include <functional>
 #include <memory>
 #include <string>
 
 #include "commands/output_file.h"
+#include "commands/progress.h"
 #include "commands/rhythm_arguments.h"
 #include "commands/simulation_module.h"
 
@@ -34,9 +36,11 @@ RhythmOverride OverrideFrom(const RhythmArguments& arguments) {
 }
 
 bool Verify(const VerifyArguments& arguments) {
-  const VerifyResult result = LoadSimulation().verify(
-      arguments.model, ChosenPlugin(arguments.plugin), OverrideFrom(arguments.rhythm),
-      arguments.json, TerminalProgress("verifying"));
+  TerminalProgress progress("verifying");
+  const VerifyResult result =
+      LoadSimulation().verify(arguments.model, ChosenPlugin(arguments.plugin),
+                              OverrideFrom(arguments.rhythm), arguments.json, std::ref(progress));
+  progress.Clear();
   Print(result.report);
   return result.passed;
 }

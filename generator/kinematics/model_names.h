@@ -62,14 +62,13 @@ inline constexpr std::string_view kRightSuffix = "_r";
 /// meet the next bone has a site of its own at the same place, and the distance of the two is the
 /// joint's residual.
 struct JointSites {
-  std::string_view joint;
   std::string_view parent;  ///< on the bone nearer to the thorax
   std::string_view child;
 };
 inline constexpr std::array<JointSites, kJointCount> kJointSites = {{
-    {"SC", "SC", "SC_clavicle"},
-    {"AC", "PAC", "PAC_scapula"},
-    {"GH", "GH", "GH_humerus"},
+    {"SC", "SC_clavicle"},
+    {"PAC", "PAC_scapula"},
+    {"GH", "GH_humerus"},
 }};
 
 /// Keyframes of emitted models. `rest` is the lowest measured position of the frontal plane, where

@@ -38,6 +38,9 @@ inline constexpr std::array<std::string_view, kCoordinateCount> kCoordinateNames
 /// Position of the humerus's own long-axis angle among the coordinates.
 inline constexpr std::size_t kGhAxialIndex = 8;
 
+/// Short names of the joints, in the order of their coordinates.
+inline constexpr std::array<std::string_view, kJointCount> kJointNames = {"SC", "AC", "GH"};
+
 /// Euler sequences of SC, AC and GH, in this order.
 inline constexpr std::array<EulerSequence, kJointCount> kJointSequences = {
     EulerSequence::kYXZ, EulerSequence::kYXZ, EulerSequence::kXZY};

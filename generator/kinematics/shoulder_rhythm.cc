@@ -100,7 +100,7 @@ void ShoulderRhythm::AlignSigns(std::size_t plane, std::size_t elevation) {
         return std::to_string(DegreesFromRadians(angle_rad));
       };
       throw std::invalid_argument(
-          "joint " + std::to_string(joint) + " turns by 180 deg or more between planes " +
+          std::string(kJointNames[joint]) + " turns by 180 deg or more between planes " +
           degrees(table_.planes_rad()[plane - 1]) + " and " + degrees(table_.planes_rad()[plane]) +
           " deg at elevation " + degrees(table_.elevations_rad()[elevation]) +
           " deg; a denser grid is needed");
@@ -160,7 +160,8 @@ ShoulderSolution ShoulderRhythm::Solve(const ArmCommand& command) const noexcept
   ShoulderPose pose{rotations[0], rotations[1], rotations[2]};
   // A turn about the humerus's own y comes last in X-Z'-Y'': it adds to the measured axial angle.
   if (std::isfinite(command.axial_rad) && command.axial_rad != 0) {
-    pose.q_SH = pose.q_SH * Exp({0, command.axial_rad, 0});
+    const double half_rad = command.axial_rad / 2;
+    pose.q_SH = pose.q_SH * Quaternion{std::cos(half_rad), 0, std::sin(half_rad), 0};
   }
 
   const bool clamped = elevation != command.elevation_rad || plane != command.plane_rad;

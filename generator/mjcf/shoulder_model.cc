@@ -7,13 +7,13 @@
 #include <array>
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
+#include <stdexcept>
 #include <vector>
 
 #include "kinematics/model_names.h"
 #include "mjcf/bone_meshes.h"
 #include "mjcf/joint_dynamics.h"
 #include "mjcf/xml_element.h"
-#include "tables/input_error.h"
 #include "tables/number_text.h"
 #include "tables/rhythm_table_csv.h"
 
@@ -109,8 +109,8 @@ class ShoulderModelWriter {
             const auto degrees = [](double angle_rad) {
               return RoundedText(DegreesFromRadians(angle_rad), 6);
             };
-            throw InputError(
-                "table: " + std::string(kCoordinateNames[k]) + " is " + degrees(angles_rad[k]) +
+            throw std::invalid_argument(
+                std::string(kCoordinateNames[k]) + " is " + degrees(angles_rad[k]) +
                 " deg at plane " + degrees(table.planes_rad()[plane]) + ", elevation " +
                 degrees(table.elevations_rad()[elevation]) + ", outside the joint's range " +
                 degrees(range.lower_rad) + " to " + degrees(range.upper_rad) +

@@ -28,7 +28,8 @@ struct ShoulderModelOptions {
 
 /// Returns the model as XML, complete in one file. Joint coordinates start at the rhythm's lowest
 /// position in its first plane, where the controls' zero is clamped to. Radians, meters, kilograms;
-/// world z up, x to the front. Throws InputError if the rhythm leaves the anatomy's joint ranges.
+/// world z up, x to the front. Throws std::invalid_argument if the rhythm leaves the anatomy's
+/// joint ranges.
 [[nodiscard]] std::string ShoulderModelXml(const Anatomy& anatomy, const ShoulderRhythm& rhythm,
                                            const ShoulderModelOptions& options = {});
 

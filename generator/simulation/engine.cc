@@ -56,6 +56,17 @@ std::string DistinctLines(const std::string& text) {
   return joined;
 }
 
+// Room for MuJoCo's reason.
+constexpr std::size_t kErrorSize = 1024;
+
+void ExpectLoaded(const ModelPointer& model, const std::string& name, const std::string& reason) {
+  const std::string warned = TakeWarnings();
+  if (model == nullptr || !warned.empty()) {
+    throw InputError(name + ": MuJoCo cannot load it: " + DistinctLines(reason + "\n" + warned) +
+                     ". Mend the model or make it anew with girdle generate");
+  }
+}
+
 }  // namespace
 
 EngineWatch::EngineWatch()
@@ -77,14 +88,19 @@ void EngineWatch::ExpectNoWarning(const std::string& doing) {
 }
 
 void LoadPlugin(const std::string& path) {
-  if (!std::filesystem::exists(path)) {
-    throw InputError(path + ": no such plugin. Build it, or name it with --plugin FILE");
+  constexpr const char* kFix = ". Name libgirdle_rhythm.so with --plugin FILE";
+  if (!std::filesystem::is_regular_file(path)) {
+    throw InputError(path + ": no such plugin" + kFix);
   }
-  mj_loadPluginLibrary(path.c_str());
+  try {
+    // A name without a folder would be looked for among the system's libraries.
+    mj_loadPluginLibrary(std::filesystem::absolute(path).c_str());
+  } catch (const InputError& error) {
+    throw InputError(path + ": " + error.what() + kFix);
+  }
   EngineWatch::ExpectNoWarning(path);
   if (mjp_getPlugin(kPluginName, nullptr) == nullptr) {
-    throw InputError(path + ": holds no plugin " + kPluginName +
-                     ". Name libgirdle_rhythm.so with --plugin FILE");
+    throw InputError(path + ": holds no plugin " + kPluginName + kFix);
   }
 }
 
@@ -94,17 +110,25 @@ ModelPointer LoadModel(const std::string& path) {
                      ": no such file. Make a model with girdle generate --out FOLDER and name its "
                      "scene.xml");
   }
-  constexpr std::size_t kErrorSize = 1024;
   std::array<char, kErrorSize> error{};
   ModelPointer model(std::filesystem::path(path).extension() == ".mjb"
                          ? mj_loadModel(path.c_str(), nullptr)
                          : mj_loadXML(path.c_str(), nullptr, error.data(), kErrorSize));
-  const std::string warned = TakeWarnings();
-  if (model == nullptr || !warned.empty()) {
-    throw InputError(path + ": MuJoCo cannot load it: " +
-                     DistinctLines(std::string(error.data()) + "\n" + warned) +
-                     ". Mend the model or make it anew with girdle generate");
+  ExpectLoaded(model, path, error.data());
+  return model;
+}
+
+ModelPointer LoadModel(const ModelFiles& files) {
+  std::array<char, kErrorSize> error{};
+  mjVFS vfs;
+  mj_defaultVFS(&vfs);
+  for (const auto& [name, text] : files) {
+    mj_addBufferVFS(&vfs, name.c_str(), text.data(), static_cast<int>(text.size()));
   }
+  const std::string& name = files.front().first;
+  ModelPointer model(mj_loadXML(name.c_str(), &vfs, error.data(), kErrorSize));
+  mj_deleteVFS(&vfs);
+  ExpectLoaded(model, name, error.data());
   return model;
 }
 

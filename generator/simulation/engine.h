@@ -8,6 +8,8 @@
 
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace girdle {
 
@@ -44,6 +46,13 @@ void LoadPlugin(const std::string& path);
 
 /// Loads a model from an MJCF file or a binary MJB file. Throws InputError with MuJoCo's reason.
 [[nodiscard]] ModelPointer LoadModel(const std::string& path);
+
+/// Files of a model that is not written yet: name and text.
+using ModelFiles = std::vector<std::pair<std::string, std::string>>;
+
+/// Loads the first of `files`, an MJCF model that may include the others. Throws InputError with
+/// MuJoCo's reason.
+[[nodiscard]] ModelPointer LoadModel(const ModelFiles& files);
 
 /// Throws InputError if there is not enough memory.
 [[nodiscard]] DataPointer MakeData(const mjModel& model);

@@ -19,14 +19,15 @@
 #include "tables/input_error.h"
 #include "tables/rhythm_config.h"
 #include "tables/rhythm_table_csv.h"
+#include "tables/text_file.h"
 
 namespace girdle {
 namespace {
 
-std::string CheckModel(const std::string& model_path, const std::string& plugin) {
+std::string CheckModel(const ModelFiles& files, const std::string& plugin) {
   const EngineWatch watch;
   LoadPlugin(plugin);
-  const ShoulderSimulation simulation(model_path);
+  const ShoulderSimulation simulation(LoadModel(files), files.front().first);
   const mjModel& model = simulation.model();
   return "MuJoCo " + std::string(mj_versionString()) + " loads it: " + std::to_string(model.njnt) +
          " joints, " + std::to_string(model.nactuator) + " actuators, " +
@@ -37,10 +38,7 @@ Motion RequestedMotion(const MotionRequest& request) {
   if (request.file.empty()) {
     return ReachingMotion("raise", request.from, request.to, request.duration_s);
   }
-  std::ifstream in(request.file, std::ios::binary);
-  if (!in) {
-    throw InputError(request.file + ": cannot be opened. Check the name and its permissions");
-  }
+  std::ifstream in = OpenTextFile(request.file);
   return ReadMotion(in, request.file);
 }
 
@@ -58,7 +56,7 @@ SimulationSummary Simulate(const std::string& model_path, const std::string& plu
   const Motion motion = RequestedMotion(request);
   const EngineWatch watch;
   LoadPlugin(plugin);
-  ShoulderSimulation simulation(model_path);
+  ShoulderSimulation simulation(LoadModel(model_path), model_path);
   const auto steps = static_cast<long>(std::lround(motion.duration_s / simulation.timestep_s()));
   const auto command_at = [&](long step) {
     return ReplayableCommand(motion.command(static_cast<double>(step) * simulation.timestep_s()));
@@ -96,16 +94,15 @@ ShoulderRhythm RhythmOf(const ShoulderSimulation& simulation, const RhythmOverri
   const RhythmOptions options = {
       override.interpolation.value_or(config.rhythm.options().interpolation),
       override.closure.value_or(config.rhythm.options().closure)};
-  return ShoulderRhythm(override.table_file.empty() ? config.rhythm.table()
-                                                    : ReadRhythmTableFile(override.table_file),
-                        options);
+  return override.table_file.empty() ? ShoulderRhythm(config.rhythm.table(), options)
+                                     : ReadShoulderRhythm(override.table_file, options);
 }
 
 VerifyResult Verify(const std::string& model_path, const std::string& plugin,
                     const RhythmOverride& override, bool json, const ProgressSink& progress) {
   const EngineWatch watch;
   LoadPlugin(plugin);
-  ShoulderSimulation simulation(model_path);
+  ShoulderSimulation simulation(LoadModel(model_path), model_path);
   const ShoulderRhythm rhythm = RhythmOf(simulation, override);
   ResidualReport report = MeasureResiduals(simulation, rhythm, BuiltInAnatomy(), progress);
   const char* table = !override.table_file.empty()                ? override.table_file.c_str()

@@ -9,6 +9,8 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "kinematics/shoulder_rhythm.h"
 
@@ -49,8 +51,10 @@ struct VerifyResult {
 
 /// The functions of the library. All throw InputError.
 struct SimulationModule {
-  /// Loads a model with the plugin and returns a line that says what MuJoCo found in it.
-  std::string (*check_model)(const std::string& model, const std::string& plugin);
+  /// Loads a model that is not written yet, the first of (name, text) with what it includes, with
+  /// the plugin, and returns a line that says what MuJoCo found in it.
+  std::string (*check_model)(const std::vector<std::pair<std::string, std::string>>& files,
+                             const std::string& plugin);
   SimulationSummary (*simulate)(const std::string& model, const std::string& plugin,
                                 const MotionRequest& request, const TextSink& trace,
                                 const ProgressSink& progress);

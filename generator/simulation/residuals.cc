@@ -45,8 +45,6 @@ constexpr double kSettledShare = 0.25;
 // 42 deg.
 constexpr double kLowestPlaneElevation_rad = 30 * kRadiansPerDegree;
 
-constexpr std::array<std::string_view, kJointCount> kJointLabels = {"SC", "AC", "GH"};
-
 // Text for the place of a worst case, made only when it is needed.
 std::string PlaceOf(std::string_view motion, const ArmCommand& command) {
   const auto degrees = [](double angle_rad) {
@@ -188,7 +186,7 @@ class ResidualMeter {
                                      const char* unit, double tolerance) {
       for (std::size_t joint = 0; joint < kJointCount; ++joint) {
         lines.push_back(
-            extremes[joint].Worst(group, std::string(kJointLabels[joint]), unit, tolerance));
+            extremes[joint].Worst(group, std::string(kJointNames[joint]), unit, tolerance));
       }
     };
     add_joints("joint constraint", gaps_, "mm", kExact_mm);
@@ -383,7 +381,7 @@ ResidualReport MeasureResiduals(ShoulderSimulation& simulation, const ShoulderRh
   meter.VisitTable();
   meter.VisitKeyframes();
   meter.VisitBones();
-  return {simulation.model_path(), "", mj_versionString(), meter.Report()};
+  return {simulation.name(), "", mj_versionString(), meter.Report()};
 }
 
 // The nearest point x of the surface has p - x = l grad/2, i.e. x_i = r_i^2 p_i / (l + r_i^2) for

@@ -4,6 +4,7 @@
 #include "simulation/shoulder_simulation.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "tables/input_error.h"
 #include "tables/number_text.h"
@@ -11,7 +12,7 @@
 namespace girdle {
 namespace {
 
-int FindInstance(const mjModel& model, const std::string& model_path) {
+int FindInstance(const mjModel& model, const std::string& model_name) {
   int slot = -1;
   mjp_getPlugin(kPluginName, &slot);
   for (int instance = 0; instance < model.nplugin; ++instance) {
@@ -19,7 +20,7 @@ int FindInstance(const mjModel& model, const std::string& model_path) {
       return instance;
     }
   }
-  throw InputError(model_path + ": has no instance of the plugin " + kPluginName +
+  throw InputError(model_name + ": has no instance of the plugin " + kPluginName +
                    ". Make a model that has one with girdle generate");
 }
 
@@ -29,18 +30,18 @@ std::string_view SiteStem(std::size_t site) {
   return site < kLandmarkCount ? kLandmarks[site].name : kJointSites[site - kLandmarkCount].child;
 }
 
-ShoulderElements FindShoulder(const mjModel& model, const std::string& model_path) {
+ShoulderElements FindShoulder(const mjModel& model, const std::string& model_name) {
   const auto find = [&](mjtObj type, const char* kind, const std::string& name) {
     const int id = mj_name2id(&model, type, name.c_str());
     if (id < 0) {
-      throw InputError(model_path + ": has no " + kind + " \"" + name +
+      throw InputError(model_name + ": has no " + kind + " \"" + name +
                        "\". Restore it, or make the model anew with girdle generate");
     }
     return id;
   };
   const auto right = [](std::string_view stem) { return SidedName(stem, kRightSuffix); };
   ShoulderElements elements;
-  elements.instance = FindInstance(model, model_path);
+  elements.instance = FindInstance(model, model_name);
   for (std::size_t i = 0; i < kCommandCount; ++i) {
     elements.command_controls[i] =
         model.actuator_ctrladr[find(mjOBJ_ACTUATOR, "actuator", right(kCommandNames[i]))];
@@ -58,15 +59,23 @@ ShoulderElements FindShoulder(const mjModel& model, const std::string& model_pat
     elements.sites[i] =
         find(mjOBJ_SITE, "site", sided ? right(SiteStem(i)) : std::string(SiteStem(i)));
   }
-  elements.sensor = model.sensor_adr[find(mjOBJ_SENSOR, "sensor", right(kRhythmName))];
+  const int sensor = find(mjOBJ_SENSOR, "sensor", right(kRhythmName));
+  if (model.sensor_type[sensor] != mjSENS_PLUGIN ||
+      model.sensor_plugin[sensor] != elements.instance) {
+    throw InputError(model_name + ": sensor \"" + right(kRhythmName) +
+                     "\" is not one of the plugin " + kPluginName + ". Make it <plugin name=\"" +
+                     right(kRhythmName) + "\" instance=\"" + right(kRhythmName) +
+                     "\"/>, or make the model anew with girdle generate");
+  }
+  elements.sensor = model.sensor_adr[sensor];
   return elements;
 }
 
-ShoulderSimulation::ShoulderSimulation(const std::string& model_path)
-    : model_path_(model_path),
-      model_(LoadModel(model_path)),
+ShoulderSimulation::ShoulderSimulation(ModelPointer model, std::string name)
+    : name_(std::move(name)),
+      model_(std::move(model)),
       data_(MakeData(*model_)),
-      elements_(FindShoulder(*model_, model_path)) {}
+      elements_(FindShoulder(*model_, name_)) {}
 
 void ShoulderSimulation::SetCommand(const ArmCommand& command) {
   data_->ctrl[elements_.command_controls[0]] = command.elevation_rad;
@@ -115,14 +124,14 @@ ShoulderState ShoulderSimulation::Step(const ArmCommand& command) {
   const JointAngles position_rad = Positions();
   // What mj_step derives belongs to the positions before it moves them.
   mj_step(model_.get(), data_.get());
-  EngineWatch::ExpectNoWarning(model_path_ + ": at " + NumberText(time_s) + " s");
+  EngineWatch::ExpectNoWarning(name_ + ": at " + NumberText(time_s) + " s");
   return Derived(time_s, command, position_rad);
 }
 
 ShoulderState ShoulderSimulation::Observe(const ArmCommand& command) {
   SetCommand(command);
   mj_forward(model_.get(), data_.get());
-  EngineWatch::ExpectNoWarning(model_path_ + ": at " + NumberText(data_->time) + " s");
+  EngineWatch::ExpectNoWarning(name_ + ": at " + NumberText(data_->time) + " s");
   return Derived(data_->time, command, Positions());
 }
 

@@ -34,8 +34,8 @@ struct ShoulderElements {
 };
 
 /// Finds the right shoulder by the names of model_names.h. Throws InputError that names what is
-/// missing; `model_path` stands in the message.
-[[nodiscard]] ShoulderElements FindShoulder(const mjModel& model, const std::string& model_path);
+/// missing; `name` stands in the message for the model.
+[[nodiscard]] ShoulderElements FindShoulder(const mjModel& model, const std::string& name);
 
 /// The shoulder at one instant, from MuJoCo.
 struct ShoulderState {
@@ -62,7 +62,8 @@ struct ShoulderState {
 /// A model with its plugin, ready to step. Throws InputError where MuJoCo warns.
 class ShoulderSimulation {
  public:
-  explicit ShoulderSimulation(const std::string& model_path);
+  /// `name` stands in messages for the model.
+  ShoulderSimulation(ModelPointer model, std::string name);
 
   /// Puts the arm at rest where a command asks for it.
   void Start(const ArmCommand& command);
@@ -80,7 +81,7 @@ class ShoulderSimulation {
   [[nodiscard]] const mjModel& model() const noexcept { return *model_; }
   [[nodiscard]] const ShoulderElements& elements() const noexcept { return elements_; }
   [[nodiscard]] double timestep_s() const noexcept { return model_->opt.timestep; }
-  [[nodiscard]] const std::string& model_path() const noexcept { return model_path_; }
+  [[nodiscard]] const std::string& name() const noexcept { return name_; }
 
  private:
   void SetCommand(const ArmCommand& command);
@@ -89,7 +90,7 @@ class ShoulderSimulation {
   [[nodiscard]] ShoulderState Derived(double time_s, const ArmCommand& command,
                                       const JointAngles& position_rad) const;
 
-  std::string model_path_;
+  std::string name_;
   ModelPointer model_;
   DataPointer data_;
   ShoulderElements elements_;

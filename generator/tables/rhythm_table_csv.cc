@@ -13,6 +13,7 @@
 #include "tables/csv.h"
 #include "tables/input_error.h"
 #include "tables/number_text.h"
+#include "tables/text_file.h"
 
 namespace girdle {
 namespace {
@@ -176,12 +177,14 @@ RhythmTable ReadRhythmTable(std::istream& in, const std::string& name) {
   return grid.Finish(csv);
 }
 
-RhythmTable ReadRhythmTableFile(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) {
-    throw InputError(path + ": cannot be opened. Check the name and its permissions");
+ShoulderRhythm ReadShoulderRhythm(const std::string& path, const RhythmOptions& options) {
+  std::ifstream in = OpenTextFile(path);
+  RhythmTable table = ReadRhythmTable(in, path);
+  try {
+    return ShoulderRhythm(std::move(table), options);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(path + ": " + error.what());
   }
-  return ReadRhythmTable(in, path);
 }
 
 std::string RhythmTableToLine(const RhythmTable& table) {

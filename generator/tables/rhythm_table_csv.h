@@ -14,15 +14,16 @@
 #include <istream>
 #include <string>
 
-#include "kinematics/rhythm_table.h"
+#include "kinematics/shoulder_rhythm.h"
 
 namespace girdle {
 
 /// Reads and validates a table. Throws InputError with file, line, value and expectation.
 [[nodiscard]] RhythmTable ReadRhythmTable(std::istream& in, const std::string& name);
 
-/// As ReadRhythmTable, from a file.
-[[nodiscard]] RhythmTable ReadRhythmTableFile(const std::string& path);
+/// Returns the rhythm of a table in a file. Throws InputError.
+[[nodiscard]] ShoulderRhythm ReadShoulderRhythm(const std::string& path,
+                                                const RhythmOptions& options);
 
 /// Returns the table as one line, rows separated by `;`, in the form that RhythmTableFromLine reads
 /// back; for places that cannot hold line breaks, such as an XML attribute.

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// What the engine plugin costs: one mj_step of the right shoulder driven by it, against the same model with nine native
-/// position servos at fixed targets, both timed in turn in one run.
+/// What the engine plugin costs: one mj_step of the right shoulder driven by it, against the same
+/// model with nine native position servos at fixed targets, both timed in turn in one run.
 ///   step_cost PLUGIN
 #include <mujoco/mujoco.h>
 
@@ -15,7 +15,6 @@
 #include "kinematics/model_names.h"
 #include "mjcf/shoulder_model.h"
 #include "simulation/engine.h"
-#include "simulation/model_text.h"
 #include "tables/built_in.h"
 
 namespace girdle {
@@ -51,9 +50,9 @@ int Run(const char* plugin) {
   LoadPlugin(plugin);
   const ShoulderRhythm rhythm(BuiltInRhythmTable());
   const Anatomy anatomy = BuiltInAnatomy();
-  const ModelPointer driven = ModelFromText(ShoulderModelXml(anatomy, rhythm));
-  const ModelPointer servos =
-      ModelFromText(ShoulderModelXml(anatomy, rhythm, {.actuation = Actuation::kPosition}));
+  const ModelPointer driven = LoadModel({{"driven.xml", ShoulderModelXml(anatomy, rhythm)}});
+  const ModelPointer servos = LoadModel(
+      {{"servos.xml", ShoulderModelXml(anatomy, rhythm, {.actuation = Actuation::kPosition})}});
   const DataPointer driven_data = MakeData(*driven);
   const DataPointer servo_data = MakeData(*servos);
 

@@ -185,6 +185,9 @@ def refuses(girdle: Girdle, tmp_path: Path) -> Refuses:
 MODEL_FILE = "shoulder_right.xml"
 SCENE_FILE = "scene.xml"
 
+# Stands for the scene of the generated model in a command.
+SCENE = "SCENE"
+
 Edit = Callable[[ElementTree.Element], None]
 WriteModel = Callable[..., Path]
 
@@ -195,6 +198,10 @@ def generated(run_program: RunProgram, tmp_path_factory: pytest.TempPathFactory)
     folder = tmp_path_factory.mktemp("generated")
     run_program("generate", "--out", folder)
     return folder
+
+
+def with_scene(command: tuple[str, ...], folder: Path) -> list[str]:
+    return [str(folder / SCENE_FILE) if word == SCENE else word for word in command]
 
 
 @pytest.fixture

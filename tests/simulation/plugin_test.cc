@@ -16,7 +16,6 @@
 #include "mjcf/joint_dynamics.h"
 #include "mjcf/shoulder_model.h"
 #include "simulation/engine_fixture.h"
-#include "simulation/model_text.h"
 #include "tables/built_in.h"
 #include "tables/input_error.h"
 
@@ -33,6 +32,8 @@ std::string ShoulderXml(Actuation actuation = Actuation::kPlugin,
                           {.actuation = actuation});
 }
 
+ModelPointer LoadedModel(const std::string& xml) { return LoadModel({{"shoulder.xml", xml}}); }
+
 // A copy of `text` with the first `from` replaced; a test that looks for what is not there must
 // fail.
 std::string Replaced(std::string text, const std::string& from, const std::string& to) {
@@ -46,7 +47,7 @@ std::string Replaced(std::string text, const std::string& from, const std::strin
 class PluginTest : public EngineTest {
  protected:
   explicit PluginTest(const std::string& xml = ShoulderXml())
-      : model_(ModelFromText(xml)), data_(MakeData(*model_)) {}
+      : model_(LoadedModel(xml)), data_(MakeData(*model_)) {}
 
   // Nine servos' outputs follow the three commands'.
   [[nodiscard]] const mjtNum* forces() const { return data_->actuator_force + kCommandCount; }
@@ -98,7 +99,7 @@ TEST_F(PluginTest, CommandActuatorsExertNoForce) {
 }
 
 TEST_F(PluginTest, MovesAsNativePositionServosAtTheSameTargets) {
-  const ModelPointer native = ModelFromText(ShoulderXml(Actuation::kPosition));
+  const ModelPointer native = LoadedModel(ShoulderXml(Actuation::kPosition));
   const DataPointer native_data = MakeData(*native);
   const ShoulderRhythm rhythm(BuiltInRhythmTable());
   constexpr int kSteps = 2000;
@@ -293,7 +294,7 @@ TEST_F(PluginTest, ResetModelStandsStill) {
 TEST_F(PluginTest, KeepsNoStateInTheModelsState) { EXPECT_EQ(model_->npluginstate, 0); }
 
 TEST_F(PluginTest, FollowsTheInterpolationOfItsConfiguration) {
-  const ModelPointer slerp = ModelFromText(ShoulderXml(Actuation::kPlugin, Interpolation::kSlerp));
+  const ModelPointer slerp = LoadedModel(ShoulderXml(Actuation::kPlugin, Interpolation::kSlerp));
   const DataPointer slerp_data = MakeData(*slerp);
   const ArmCommand command{RadiansFromDegrees(22.5), RadiansFromDegrees(20), 0};
   for (mjData* data : {data_.get(), slerp_data.get()}) {
@@ -353,9 +354,9 @@ class PluginRefusal : public EngineTest, public testing::WithParamInterface<BadM
 TEST_P(PluginRefusal, NamesTheInstanceAndTheFix) {
   const BadModel& bad = GetParam();
   try {
-    (void)ModelFromText(Replaced(ShoulderXml(), bad.from, bad.to));
+    (void)LoadedModel(Replaced(ShoulderXml(), bad.from, bad.to));
     FAIL() << "loaded";
-  } catch (const std::runtime_error& error) {
+  } catch (const InputError& error) {
     const std::string reason = error.what();
     EXPECT_NE(reason.find("girdle.rhythm instance \"rhythm_r\""), std::string::npos) << reason;
     EXPECT_NE(reason.find(bad.message), std::string::npos) << reason;
@@ -402,9 +403,9 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST_F(PluginTest, UnknownConfigurationIsRefusedByMuJoCo) {
   try {
-    (void)ModelFromText(Replaced(ShoulderXml(), "key=\"kp\"", "key=\"stiffness\""));
+    (void)LoadedModel(Replaced(ShoulderXml(), "key=\"kp\"", "key=\"stiffness\""));
     FAIL() << "loaded";
-  } catch (const std::runtime_error& error) {
+  } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("unrecognized attribute"), std::string::npos)
         << error.what();
   }

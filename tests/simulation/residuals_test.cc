@@ -6,8 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <random>
@@ -74,15 +72,10 @@ TEST(ResidualReport, SaysWhatFailed) {
 
 class MeasureResidualsTest : public EngineTest {
  protected:
-  // Writes the model of `rhythm` to a file of its own and measures it against `reference`.
+  // Measures the model of `rhythm` against `reference`.
   static ResidualReport Measure(const ShoulderRhythm& rhythm, const ShoulderRhythm& reference) {
-    const std::filesystem::path file =
-        std::filesystem::temp_directory_path() /
-        (std::string("girdle_") + testing::UnitTest::GetInstance()->current_test_info()->name() +
-         ".xml");
-    std::ofstream(file) << ShoulderModelXml(BuiltInAnatomy(), rhythm, {.carries_table = true});
-    ShoulderSimulation simulation(file.string());
-    std::filesystem::remove(file);
+    const std::string xml = ShoulderModelXml(BuiltInAnatomy(), rhythm, {.carries_table = true});
+    ShoulderSimulation simulation(LoadModel({{"shoulder.xml", xml}}), "shoulder.xml");
     return MeasureResiduals(simulation, reference, BuiltInAnatomy(), [](double) {});
   }
 

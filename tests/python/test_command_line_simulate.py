@@ -1,0 +1,361 @@
+# SPDX-FileCopyrightText: 2026 The Girdle authors
+# SPDX-License-Identifier: Apache-2.0
+"""`girdle simulate` as a person types it."""
+
+from __future__ import annotations
+
+import csv
+import json
+import math
+import re
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+from conftest import (
+    MODEL_FILE,
+    SCENE_FILE,
+    Girdle,
+    Refuses,
+    WriteModel,
+    contents,
+    find_element,
+)
+from reference_rhythm import COORDINATES
+
+COMMANDS = ("elevation_deg", "plane_deg", "axial_deg")
+
+# Bones, then sites: the landmarks in the order of data/landmarks.csv and, where two bones meet, the
+# second bone's own.
+BONES = ("clavicle", "scapula", "humerus")
+SITES = (
+    *("IJ", "PX", "C7", "T8", "SC", "PAC", "TS", "AI", "AA", "PC", "ACJ", "GC", "GH", "EM", "EL"),
+    *("SC_clavicle", "PAC_scapula", "GH_humerus"),
+)
+TRACE_COLUMNS = [
+    "time_s",
+    *COMMANDS,
+    *(f"target_{coordinate}_deg" for coordinate in COORDINATES),
+    *(f"{coordinate}_deg" for coordinate in COORDINATES),
+    *(f"{bone}_q{component}" for bone in BONES for component in "wxyz"),
+    *(f"{site}_{component}_m" for site in SITES for component in "xyz"),
+]
+
+# Commands go to radians and back, times are sums of steps.
+ROUNDING = 1e-9
+# The same for lengths and quaternions, of order one.
+UNIT = 1e-12
+
+
+def read_trace(text: str) -> list[dict[str, float]]:
+    rows = csv.DictReader(text.splitlines())
+    return [{column: float(value) for column, value in row.items()} for row in rows]
+
+
+def timestep_s(model: Path) -> float:
+    option = find_element(ElementTree.parse(model).getroot(), "option")
+    return float(option.attrib["timestep"])
+
+
+@pytest.fixture
+def scene(generated: Path) -> Path:
+    return generated / SCENE_FILE
+
+
+RAISE = ("--raise", "15:120", "--plane", "40", "--seconds", "0.5")
+
+
+# --- The trace -----------------------------------------------------------------------------------
+
+
+def test_the_trace_has_its_columns_in_order(girdle_fine: Girdle, scene: Path) -> None:
+    text = girdle_fine("simulate", scene, *RAISE, "--trace", "-").text
+    assert text.splitlines()[0].split(",") == TRACE_COLUMNS
+
+
+@pytest.mark.parametrize("seconds", ["0.1", "0.5", "2"])
+def test_the_trace_has_a_row_for_every_step_and_one_for_the_start(
+    girdle_fine: Girdle, scene: Path, seconds: str
+) -> None:
+    step_s = timestep_s(scene.parent / MODEL_FILE)
+    text = girdle_fine(
+        "simulate", scene, "--raise", "15:120", "--seconds", seconds, "--trace", "-"
+    ).text
+    times_s = [row["time_s"] for row in read_trace(text)]
+    expected_s = [i * step_s for i in range(round(float(seconds) / step_s) + 1)]
+    assert times_s == pytest.approx(expected_s, abs=ROUNDING)
+
+
+def test_the_rows_follow_the_models_own_time_step(
+    girdle_fine: Girdle, write_model: WriteModel
+) -> None:
+    scene = write_model(lambda root: find_element(root, "option").set("timestep", "0.005"))
+    rows = read_trace(girdle_fine("simulate", scene, *RAISE, "--trace", "-").text)
+    assert len(rows) == 101
+    assert rows[1]["time_s"] == pytest.approx(0.005, abs=ROUNDING)
+
+
+def test_the_arm_starts_on_its_targets(girdle_fine: Girdle, scene: Path) -> None:
+    first = read_trace(girdle_fine("simulate", scene, *RAISE, "--trace", "-").text)[0]
+    targets_deg = {coordinate: first[f"target_{coordinate}_deg"] for coordinate in COORDINATES}
+    angles_deg = {coordinate: first[f"{coordinate}_deg"] for coordinate in COORDINATES}
+    assert angles_deg == pytest.approx(targets_deg, abs=ROUNDING)
+
+
+def test_the_quaternions_of_the_trace_are_rotations(girdle_fine: Girdle, scene: Path) -> None:
+    for row in read_trace(girdle_fine("simulate", scene, *RAISE, "--trace", "-").text):
+        for bone in BONES:
+            norm = math.hypot(*(row[f"{bone}_q{component}"] for component in "wxyz"))
+            assert norm == pytest.approx(1.0, abs=UNIT), (bone, row["time_s"])
+
+
+@pytest.mark.parametrize(
+    ("parent", "child"), [("SC", "SC_clavicle"), ("PAC", "PAC_scapula"), ("GH", "GH_humerus")]
+)
+def test_the_bones_of_the_trace_meet_at_their_joints(
+    girdle_fine: Girdle, scene: Path, parent: str, child: str
+) -> None:
+    for row in read_trace(girdle_fine("simulate", scene, *RAISE, "--trace", "-").text):
+        at_parent, at_child = ([row[f"{s}_{c}_m"] for c in "xyz"] for s in (parent, child))
+        assert math.dist(at_parent, at_child) < UNIT, row["time_s"]
+
+
+# --- The motion ----------------------------------------------------------------------------------
+
+
+def commands_deg(rows: list[dict[str, float]], column: str) -> list[float]:
+    return [row[column] for row in rows]
+
+
+@pytest.mark.parametrize(("low", "high"), [("15", "120"), ("-10.5", "60"), ("90", "30")])
+def test_a_raise_runs_from_one_elevation_to_the_other(
+    girdle_fine: Girdle, scene: Path, low: str, high: str
+) -> None:
+    motion = ("--raise", f"{low}:{high}", "--plane", "40", "--seconds", "0.5")
+    rows = read_trace(girdle_fine("simulate", scene, *motion, "--trace", "-").text)
+    elevations_deg = commands_deg(rows, "elevation_deg")
+    assert elevations_deg[0] == pytest.approx(float(low), abs=ROUNDING)
+    assert elevations_deg[-1] == pytest.approx(float(high), abs=ROUNDING)
+    assert elevations_deg == sorted(elevations_deg, reverse=float(low) > float(high))
+    others = commands_deg(rows, "plane_deg") + commands_deg(rows, "axial_deg")
+    assert others == pytest.approx([40.0] * len(rows) + [0.0] * len(rows), abs=ROUNDING)
+
+
+def test_a_raise_is_in_the_frontal_plane_for_two_seconds_unless_told_otherwise(
+    girdle_fine: Girdle, scene: Path
+) -> None:
+    short = girdle_fine("simulate", scene, "--raise", "15:120", "--trace", "-").output
+    long = ("--raise", "15:120", "--plane", "0", "--seconds", "2")
+    assert girdle_fine("simulate", scene, *long, "--trace", "-").output == short
+
+
+MOTION = (
+    "time_s,elevation_deg,plane_deg,axial_deg\n0,20,5,0\n0.1,40,5,10\n0.3,100,85,-10\n0.4,90,80,0\n"
+)
+
+
+def test_a_motion_file_is_followed_straight_from_row_to_row(
+    girdle_fine: Girdle, scene: Path, tmp_path: Path
+) -> None:
+    (tmp_path / "motion.csv").write_text(MOTION)
+    text = girdle_fine("simulate", scene, "--motion", "motion.csv", "--trace", "-").text
+    rows = {round(row["time_s"], 6): row for row in read_trace(text)}
+    expected_deg = {
+        0.0: (20, 5, 0),
+        0.05: (30, 5, 5),
+        0.1: (40, 5, 10),
+        0.15: (55, 25, 5),
+        0.2: (70, 45, 0),
+        0.3: (100, 85, -10),
+        0.35: (95, 82.5, -5),
+        0.4: (90, 80, 0),
+    }
+    for time_s, command_deg in expected_deg.items():
+        found_deg = tuple(rows[time_s][column] for column in COMMANDS)
+        assert found_deg == pytest.approx(command_deg, abs=ROUNDING), time_s
+    assert max(rows) == 0.4
+
+
+def test_a_motion_file_without_axial_turns_nothing(
+    girdle_fine: Girdle, scene: Path, tmp_path: Path
+) -> None:
+    (tmp_path / "motion.csv").write_text("plane_deg,time_s,elevation_deg\n5,0,20\n15,0.1,40\n")
+    text = girdle_fine("simulate", scene, "--motion", "motion.csv", "--trace", "-").text
+    rows = read_trace(text)
+    assert {row["axial_deg"] for row in rows} == {0.0}
+    assert rows[-1]["plane_deg"] == pytest.approx(15.0, abs=ROUNDING)
+
+
+def test_the_commands_of_a_trace_are_a_motion_that_gives_the_same_angles(
+    girdle_fine: Girdle, scene: Path, tmp_path: Path
+) -> None:
+    trace = girdle_fine("simulate", scene, *RAISE, "--trace", "-").text
+    motion = "\n".join(",".join(line.split(",")[:4]) for line in trace.splitlines())
+    (tmp_path / "motion.csv").write_text(motion)
+    replayed = girdle_fine("simulate", scene, "--motion", "motion.csv", "--trace", "-").text
+    for found, expected in zip(read_trace(replayed), read_trace(trace), strict=True):
+        assert found == pytest.approx(expected, abs=ROUNDING)
+
+
+# --- What is printed -----------------------------------------------------------------------------
+
+
+def test_two_runs_give_the_same_bytes(girdle_fine: Girdle, scene: Path, tmp_path: Path) -> None:
+    first = girdle_fine("simulate", scene, *RAISE, "--trace", "trace.csv")
+    first_trace = (tmp_path / "trace.csv").read_bytes()
+    second = girdle_fine("simulate", scene, *RAISE, "--trace", "trace.csv")
+    assert second.output == first.output
+    assert (tmp_path / "trace.csv").read_bytes() == first_trace
+
+
+def test_a_trace_on_standard_output_is_alone_there(
+    girdle_fine: Girdle, scene: Path, tmp_path: Path
+) -> None:
+    girdle_fine("simulate", scene, *RAISE, "--trace", "trace.csv")
+    printed = girdle_fine("simulate", scene, *RAISE, "--trace", "-").output
+    assert printed == (tmp_path / "trace.csv").read_bytes()
+
+
+def test_the_summary_tells_what_the_trace_holds(
+    girdle_fine: Girdle, scene: Path, tmp_path: Path
+) -> None:
+    options = (*RAISE, "--trace", "trace.csv", "--json")
+    summary = json.loads(girdle_fine("simulate", scene, *options).text)
+    rows = read_trace((tmp_path / "trace.csv").read_text())
+    errors_deg = [
+        max(abs(row[f"target_{c}_deg"] - row[f"{c}_deg"]) for c in COORDINATES) for row in rows
+    ]
+    assert summary["rows"] == len(rows)
+    assert summary["trace"] == "trace.csv"
+    assert summary["duration_s"] == rows[-1]["time_s"]
+    assert summary["worst_tracking_error_deg"] == pytest.approx(max(errors_deg), abs=ROUNDING)
+    assert summary["last_tracking_error_deg"] == pytest.approx(errors_deg[-1], abs=ROUNDING)
+
+
+def test_the_text_gives_the_numbers_of_the_json(girdle_fine: Girdle, scene: Path) -> None:
+    summary = json.loads(girdle_fine("simulate", scene, *RAISE, "--json").text)
+    text = girdle_fine("simulate", scene, *RAISE).text
+    expected = (
+        rf"simulated 0\.5 s in {summary['rows']} states; joints at most "
+        rf"{round(summary['worst_tracking_error_deg'], 3)} deg off"
+    )
+    assert re.match(expected, text), text
+
+
+def test_without_a_trace_no_file_is_written(
+    girdle_fine: Girdle, scene: Path, tmp_path: Path
+) -> None:
+    summary = json.loads(girdle_fine("simulate", scene, *RAISE, "--json").text)
+    assert summary["trace"] is None
+    assert contents(tmp_path) == {}
+
+
+# --- Runs that fail ------------------------------------------------------------------------------
+
+
+NO_MOTIONS: list[tuple[tuple[str, ...], tuple[str, ...]]] = [
+    ((), ("--raise FROM:TO", "--motion FILE")),
+    (("--raise", "15:120", "--motion", "motion.csv"), ("--raise FROM:TO", "--motion FILE")),
+    (("--raise", "15"), ("--raise '15'", "15:120")),
+    (("--raise", ""), ("--raise", "empty|15:120")),
+    (("--raise", "15-120"), ("--raise '15-120'", "15:120")),
+    # The fix is a whole FROM:TO: one number would be refused in its turn.
+    (("--raise", "15:12O"), ("--raise", "12O", "15:120")),
+    (("--raise", "l5:120"), ("--raise", "l5", "15:120")),
+    (("--raise", "15:nan"), ("--raise", "nan", "15:120")),
+    (("--raise", ":"), ("--raise", "15:120")),
+    (("--raise", "15:60:120"), ("--raise", "60:120", "15:120")),
+    # As a motion file may not hold.
+    (("--raise", "1e300:120"), ("--raise", "1e300", "360|15:120")),
+    (("--raise", "15:120", "--plane", "4O"), ("--plane '4O'", "such as --plane")),
+    (("--raise", "15:120", "--plane", "inf"), ("--plane 'inf'", "such as --plane")),
+    (("--raise", "15:120", "--plane", ""), ("--plane", "empty|such as --plane")),
+    (("--raise", "15:120", "--seconds", "two"), ("--seconds 'two'", "such as --seconds")),
+    (("--raise", "15:120", "--seconds", "nan"), ("--seconds 'nan'", "such as --seconds")),
+    (("--raise", "15:120", "--seconds", "0"), ("--seconds 0", "more than 0")),
+    (("--raise", "15:120", "--seconds", "-2"), ("--seconds -2", "more than 0")),
+    (("--raise", "15:120", "--seconds", "1e9"), ("--seconds 1e9", "at most")),
+    # Neither means anything to a motion file, which has its own.
+    (("--motion", "motion.csv", "--seconds", "3"), ("--seconds", "--motion")),
+    (("--motion", "motion.csv", "--plane", "40"), ("--plane", "--motion")),
+    (("--motion", "absent.csv"), ("absent.csv: ", "Check")),
+    (("--motion", "there"), ("there", "folder|directory")),
+    (("--motion", ""), ("--motion",)),
+]
+
+
+@pytest.mark.parametrize(
+    ("words", "patterns"), NO_MOTIONS, ids=[" ".join(words) for words, _ in NO_MOTIONS]
+)
+def test_a_motion_that_is_not_one_is_refused(
+    refuses: Refuses,
+    scene: Path,
+    tmp_path: Path,
+    words: tuple[str, ...],
+    patterns: tuple[str, ...],
+) -> None:
+    (tmp_path / "motion.csv").write_text(MOTION)
+    (tmp_path / "there").mkdir()
+    refuses("simulate", scene, *words, "--trace", "trace.csv", because=patterns)
+
+
+@dataclass(frozen=True)
+class WrongMotion:
+    """A change to MOTION, the line that it is in, and what is said of it."""
+
+    change: Callable[[str], str]
+    line: int
+    patterns: tuple[str, ...]
+
+
+def replaced(line: int, old: str, new: str, *patterns: str) -> WrongMotion:
+    """One text, which stands once in MOTION, by another."""
+    assert MOTION.count(old) == 1
+    return WrongMotion(lambda motion: motion.replace(old, new), line, patterns)
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        replaced(3, "\n0.1,", "\n0,", "time_s is 0", "does not increase", "previous 0"),
+        replaced(4, "\n0.3,", "\n0.05,", "time_s is 0.05", "does not increase", "previous 0.1"),
+        replaced(2, "\n0,", "\n-0.1,", "time_s is -0.1", "expected 0 to"),
+        replaced(5, "\n0.4,", "\n1e9,", "time_s is 1e\\+09", "expected 0 to"),
+        replaced(3, ",40,", ",4O,", "elevation_deg is '4O'", "such as"),
+        replaced(3, ",40,", ",400,", "elevation_deg is 400", "expected -360 to 360"),
+        replaced(3, ",40,", ",nan,", "elevation_deg is 'nan'", "finite"),
+        replaced(3, "0.1,40,5,10", "0.1,40,5", "3 fields, expected 4"),
+        replaced(1, "axial_deg", "axial", "'axial' is not known", "Remove"),
+        replaced(1, "time_s", "axial_deg", "'axial_deg' stands twice", "Rename"),
+        replaced(1, ",plane_deg", "", "'plane_deg' is missing"),
+        WrongMotion(lambda motion: motion.splitlines()[0] + "\n", 1, ("no rows",)),
+        WrongMotion(lambda _: "", 1, ("no header",)),
+    ],
+    ids=lambda wrong: " ".join(wrong.patterns),
+)
+def test_a_mistake_in_a_motion_file_is_refused_with_file_and_line(
+    refuses: Refuses, scene: Path, tmp_path: Path, wrong: WrongMotion
+) -> None:
+    (tmp_path / "motion.csv").write_text(wrong.change(MOTION))
+    refuses(
+        *("simulate", scene, "--motion", "motion.csv", "--trace", "trace.csv"),
+        because=(f"motion.csv:{wrong.line}: ", *wrong.patterns),
+    )
+
+
+def unstable(root: ElementTree.Element) -> None:
+    """Servos so stiff that the simulation cannot follow them."""
+    find_element(root, ".//config[@key='kp']").set("value", "1e12")
+
+
+@pytest.mark.parametrize("before", [None, b"earlier\n"])
+def test_a_simulation_that_breaks_off_leaves_no_half_written_trace(
+    refuses: Refuses, write_model: WriteModel, tmp_path: Path, before: bytes | None
+) -> None:
+    scene = write_model(unstable)
+    if before is not None:
+        (tmp_path / "trace.csv").write_bytes(before)
+    words = ("--raise", "15:120", "--trace", "trace.csv")
+    refuses("simulate", scene, *words, because=(re.escape(str(scene)), "at 0", "unstable"))

@@ -1,0 +1,162 @@
+# SPDX-FileCopyrightText: 2026 The Girdle authors
+# SPDX-License-Identifier: Apache-2.0
+"""What a person sees on a terminal and a pipe does not: progress."""
+
+from __future__ import annotations
+
+import os
+import pty
+import re
+import subprocess
+from contextlib import nullcontext
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+from conftest import (
+    PROGRAM_TIMEOUT_S,
+    REFUSED,
+    SCENE,
+    Girdle,
+    WriteModel,
+    find_element,
+    with_scene,
+)
+
+# Long enough that every percent has its turn.
+LONG_ROWS = 100_000
+LONG_TABLE = "elevation_deg,plane_deg\n" + "60,50\n" * LONG_ROWS
+
+LONG_WORK = {
+    "solve": ("solve", "--in", "poses.csv", "--out", "angles.csv"),
+    "simulate": ("simulate", SCENE, "--raise", "15:120"),
+    "verify": ("verify", SCENE),
+}
+every_long_work = pytest.mark.parametrize("command", LONG_WORK.values(), ids=LONG_WORK.keys())
+
+
+@dataclass(frozen=True)
+class Seen:
+    """One run on a terminal, and all that came there."""
+
+    code: int
+    written: str
+
+    @property
+    def lines(self) -> list[str]:
+        """What stands on the screen in the end: a carriage return goes back to overwrite."""
+        lines = []
+        for line in self.written.replace("\r\n", "\n").split("\n"):
+            screen = ""
+            for part in line.split("\r"):
+                screen = part + screen[len(part) :]
+            lines.append(screen.rstrip())
+        return lines
+
+
+def run_on_terminal(command: list[str], folder: Path, output: Path | None = None) -> Seen:
+    """With standard error on a terminal, and standard output too where it goes to no file."""
+    terminal, program_side = pty.openpty()
+    with output.open("wb") if output else nullcontext(program_side) as standard_output:
+        process = subprocess.Popen(
+            command,
+            stdin=subprocess.DEVNULL,
+            stdout=standard_output,
+            stderr=program_side,
+            cwd=folder,
+        )
+    os.close(program_side)
+    parts = []
+    while True:
+        try:
+            part = os.read(terminal, 1 << 16)
+        except OSError:  # how a terminal ends when nobody is left on the other side
+            break
+        if not part:
+            break
+        parts.append(part)
+    os.close(terminal)
+    return Seen(process.wait(PROGRAM_TIMEOUT_S), b"".join(parts).decode())
+
+
+@pytest.fixture
+def typed(program: Path, generated: Path, tmp_path: Path, command: tuple[str, ...]) -> list[str]:
+    (tmp_path / "poses.csv").write_text(LONG_TABLE)
+    return [str(program), *with_scene(command, generated)]
+
+
+@every_long_work
+def test_progress_counts_up_on_a_terminal(typed: list[str], tmp_path: Path) -> None:
+    seen = run_on_terminal(typed, tmp_path, tmp_path / "output")
+    percents = [int(percent) for percent in re.findall(r"\r\w+ (\d+) %", seen.written)]
+    assert seen.code == 0
+    assert percents == sorted(set(percents))
+    # Most whole percents, not only the ends.
+    assert len(percents) > 50
+
+
+@every_long_work
+def test_nothing_of_the_progress_is_left_in_the_end(typed: list[str], tmp_path: Path) -> None:
+    seen = run_on_terminal(typed, tmp_path, tmp_path / "output")
+    assert seen.code == 0
+    assert seen.lines == [""]
+
+
+@pytest.mark.parametrize(
+    "command",
+    [("solve", "--in", "poses.csv"), LONG_WORK["simulate"], LONG_WORK["verify"]],
+    ids=LONG_WORK.keys(),
+)
+def test_a_terminal_changes_nothing_in_a_result_that_goes_to_a_file(
+    girdle_fine: Girdle, typed: list[str], tmp_path: Path
+) -> None:
+    run_on_terminal(typed, tmp_path, tmp_path / "output")
+    assert (tmp_path / "output").read_bytes() == girdle_fine(*typed[1:]).output
+
+
+@pytest.mark.parametrize(
+    "command",
+    [*LONG_WORK.values(), ("solve", "--in", "poses.csv"), (*LONG_WORK["simulate"], "--trace", "-")],
+    ids=[*LONG_WORK.keys(), "solve to the terminal", "simulate to the terminal"],
+)
+def test_a_result_on_the_terminal_is_free_of_progress(
+    girdle_fine: Girdle, typed: list[str], tmp_path: Path
+) -> None:
+    seen = run_on_terminal(typed, tmp_path)
+    expected = [line.rstrip() for line in girdle_fine(*typed[1:]).text.split("\n")]
+    assert seen.code == 0
+    assert len(seen.lines) == len(expected)
+    pairs = zip(seen.lines, expected, strict=True)
+    assert [(found, line) for found, line in pairs if found != line][:3] == []
+
+
+def expect_a_line_of_its_own(seen: Seen) -> None:
+    assert seen.code == REFUSED
+    assert re.search(r"\d+ %", seen.written), "it breaks off before there is any progress"
+    line, end = seen.lines
+    assert line.startswith("girdle: ")
+    assert end == ""
+
+
+@pytest.mark.parametrize("verb", ["simulate", "verify"])
+def test_a_message_after_progress_begins_its_own_line(
+    program: Path, write_model: WriteModel, tmp_path: Path, verb: str
+) -> None:
+    """Servos so stiff that the simulation breaks off on the way."""
+    scene = write_model(lambda root: find_element(root, ".//config[@key='kp']").set("value", "1e6"))
+    typed = [str(program), *with_scene(LONG_WORK[verb], scene.parent)]
+    expect_a_line_of_its_own(run_on_terminal(typed, tmp_path))
+
+
+def test_a_message_after_many_rows_begins_its_own_line(program: Path, tmp_path: Path) -> None:
+    (tmp_path / "poses.csv").write_text(LONG_TABLE + "60,5O\n")
+    typed = [str(program), *LONG_WORK["solve"]]
+    expect_a_line_of_its_own(run_on_terminal(typed, tmp_path))
+
+
+@pytest.mark.parametrize("options", [(), ("--json",)])
+def test_solving_one_pose_shows_no_progress(
+    program: Path, tmp_path: Path, options: tuple[str, ...]
+) -> None:
+    typed = [str(program), "solve", "--elevation", "23", "--plane", "50", *options]
+    assert run_on_terminal(typed, tmp_path, tmp_path / "output").written == ""
