@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace girdle {
@@ -28,6 +29,15 @@ void CheckKnots(const char* name, const std::vector<double>& knots_rad) {
   }
 }
 
+void CheckAngle(std::size_t position, std::string_view name, double angle_rad) {
+  // Written so that a NaN fails too.
+  if (!(std::abs(angle_rad) <= kPi)) {
+    throw std::invalid_argument("position " + std::to_string(position) + ": " + std::string(name) +
+                                " = " + std::to_string(DegreesFromRadians(angle_rad)) +
+                                " deg is not within [-180, 180]");
+  }
+}
+
 }  // namespace
 
 RhythmTable::RhythmTable(std::vector<double> planes_rad, std::vector<double> elevations_rad,
@@ -44,12 +54,11 @@ RhythmTable::RhythmTable(std::vector<double> planes_rad, std::vector<double> ele
   }
   for (std::size_t i = 0; i < positions_.size(); ++i) {
     for (std::size_t k = 0; k < kCoordinateCount; ++k) {
-      // Written so that a NaN fails too.
-      if (!(std::abs(positions_[i].angles_rad[k]) <= kPi)) {
-        throw std::invalid_argument(
-            "position " + std::to_string(i) + ": " + std::string(kCoordinateNames[k]) + " = " +
-            std::to_string(DegreesFromRadians(positions_[i].angles_rad[k])) +
-            " deg is not within [-180, 180]");
+      CheckAngle(i, kCoordinateNames[k], positions_[i].angles_rad[k]);
+    }
+    if (positions_[i].scapulothoracic_rad) {
+      for (int k = 0; k < 3; ++k) {
+        CheckAngle(i, "scapulothoracic angle", (*positions_[i].scapulothoracic_rad)[k]);
       }
     }
   }

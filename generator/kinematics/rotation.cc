@@ -3,7 +3,6 @@
 
 #include "kinematics/rotation.h"
 
-#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -21,7 +20,15 @@ Quaternion AboutZ(double angle_rad) noexcept {
   return {std::cos(angle_rad / 2), 0, 0, std::sin(angle_rad / 2)};
 }
 
-double ArcSine(double value) noexcept { return std::asin(std::clamp(value, -1.0, 1.0)); }
+// The same angle in (-pi, pi]; `angle_rad` is within two turns.
+double WithinHalfTurn(double angle_rad) noexcept {
+  if (angle_rad > kPi) {
+    return angle_rad - 2 * kPi;
+  }
+  return angle_rad <= -kPi ? angle_rad + 2 * kPi : angle_rad;
+}
+
+double Length(double x, double y) noexcept { return std::sqrt(x * x + y * y); }
 
 }  // namespace
 
@@ -37,26 +44,44 @@ Quaternion QuaternionFromEuler(EulerSequence sequence, const Vector3& angles_rad
   return AboutY(angles_rad.x) * AboutX(angles_rad.y) * AboutY(angles_rad.z);
 }
 
-// With R(row, column) the matrix of the rotation and (a, b, c) the angles in turning order:
-//   Ry(a) Rx(b) Rz(c):  R(1,2) = -sin b   R(0,2), R(2,2) = cos b (sin a, cos a)
-//                                         R(1,0), R(1,1) = cos b (sin c, cos c)
-//   Rx(a) Rz(b) Ry(c):  R(0,1) = -sin b   R(2,1), R(1,1) = cos b (sin a, cos a)
-//                                         R(0,2), R(0,0) = cos b (sin c, cos c)
-//   Ry(a) Rx(b) Ry(c):  R(1,1) =  cos b   R(0,1), R(2,1) = sin b (sin a, cos a)
-//                                         R(1,0), R(1,2) = sin b (sin c, -cos c)
-Vector3 EulerFromQuaternion(EulerSequence sequence, const Quaternion& q_AB) noexcept {
-  const Matrix3 columns = glm::mat3_cast(q_AB);
-  const auto R = [&columns](int row, int column) { return columns[column][row]; };
+// Bernardes and Viollet, Quaternion to Euler angles conversion, PLoS ONE 2022;17:e0276302. With (a,
+// b, c) the angles in turning order, the half sum and half difference of a and c stand by
+// themselves in
+//   Ry(a) Rx(b) Ry(c) = (cos(b/2) cos((a+c)/2), sin(b/2) cos((a-c)/2), cos(b/2) sin((a+c)/2),
+//                        -sin(b/2) sin((a-c)/2))
+// and, for three different axes 1, 2, 3 in cyclic order 3, 2, 1 of a quaternion (w, q_1, q_2, q_3),
+// in
+//   w - q_2 : q_3 + q_1 = cos : sin of (a+c)/2,    q_2 + w : q_1 - q_3 = cos : sin of (a-c)/2.
+// Where one of them is lost (gimbal lock) the other still gives the rotation.
+Vector3 EulerFromQuaternion(EulerSequence sequence, const Quaternion& q_AB_any_sign) noexcept {
+  const Quaternion q_AB = q_AB_any_sign.w < 0 ? -q_AB_any_sign : q_AB_any_sign;
+  const auto different_axes = [](double w, double q_1, double q_2, double q_3) {
+    const double sum_cosine = w - q_2;
+    const double sum_sine = q_3 + q_1;
+    const double difference_cosine = q_2 + w;
+    const double difference_sine = q_1 - q_3;
+    const double half_sum = std::atan2(sum_sine, sum_cosine);
+    const double half_difference = std::atan2(difference_sine, difference_cosine);
+    return Vector3(
+        WithinHalfTurn(half_sum + half_difference),
+        2 * std::atan2(Length(difference_sine, difference_cosine), Length(sum_sine, sum_cosine)) -
+            kPi / 2,
+        WithinHalfTurn(half_sum - half_difference));
+  };
   switch (sequence) {
     case EulerSequence::kYXZ:
-      return {std::atan2(R(0, 2), R(2, 2)), ArcSine(-R(1, 2)), std::atan2(R(1, 0), R(1, 1))};
+      return different_axes(q_AB.w, q_AB.y, q_AB.x, q_AB.z);
     case EulerSequence::kXZY:
-      return {std::atan2(R(2, 1), R(1, 1)), ArcSine(-R(0, 1)), std::atan2(R(0, 2), R(0, 0))};
+      return different_axes(q_AB.w, q_AB.x, q_AB.z, q_AB.y);
     case EulerSequence::kYXY:
       break;
   }
-  return {std::atan2(-R(0, 1), -R(2, 1)), -std::atan2(std::hypot(R(0, 1), R(2, 1)), R(1, 1)),
-          std::atan2(-R(1, 0), R(1, 2))};
+  // sin(b/2) is taken as negative: the second angle lies in [-pi, 0].
+  const double half_sum = std::atan2(q_AB.y, q_AB.w);
+  const double half_difference = std::atan2(q_AB.z, -q_AB.x);
+  return {WithinHalfTurn(half_sum + half_difference),
+          -2 * std::atan2(Length(q_AB.x, q_AB.z), Length(q_AB.w, q_AB.y)),
+          WithinHalfTurn(half_sum - half_difference)};
 }
 
 // log(cos(W/2), sin(W/2) n) = W n, with the sign of q chosen so that W <= pi.
@@ -73,7 +98,13 @@ Vector3 Log(const Quaternion& q_AB) noexcept {
 }
 
 Quaternion Exp(const Vector3& rotation_vector_rad) noexcept {
-  const double half_angle = glm::length(rotation_vector_rad) / 2;
+  // hypot does not overflow where the sum of squares would, but takes longer.
+  const double length = glm::length(rotation_vector_rad);
+  const double half_angle =
+      (std::isinf(length)
+           ? std::hypot(rotation_vector_rad.x, rotation_vector_rad.y, rotation_vector_rad.z)
+           : length) /
+      2;
   // sin(h)/h is 1 to the last bit below this half angle.
   constexpr double kTinyHalfAngle = 1e-9;
   const double scale = half_angle < kTinyHalfAngle ? 0.5 : std::sin(half_angle) / half_angle / 2;

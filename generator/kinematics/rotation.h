@@ -45,10 +45,10 @@ enum class EulerSequence {
 /// Returns the three intrinsic angles [rad] of a unit quaternion, the inverse of
 /// QuaternionFromEuler.
 ///
-/// Ranges: first and third in [-pi, pi]; the second in [-pi/2, pi/2] for kYXZ and kXZY, in
-/// [-pi, 0] for kYXY (raising an arm is a negative turn about x). Where the first and the third
-/// axis coincide (second angle at the end of its range) only their sum or difference is determined
-/// and the angles remain finite.
+/// Ranges: first and third in (-pi, pi]; the second in [-pi/2, pi/2] for kYXZ and kXZY, in [-pi, 0]
+/// for kYXY (raising an arm is a negative turn about x). Where the first and the third axis
+/// coincide (second angle at the end of its range) only the sum or the difference of their angles
+/// is determined; the angles are then one of the pairs that give the rotation.
 [[nodiscard]] Vector3 EulerFromQuaternion(EulerSequence sequence, const Quaternion& q_AB) noexcept;
 
 /// Returns the rotation vector [rad] of a unit quaternion: axis times angle, angle in [0, pi].

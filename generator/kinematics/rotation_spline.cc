@@ -67,8 +67,8 @@ Quaternion TrigonometricSlerp(const Quaternion& a, const Quaternion& b, double t
                               double cosine) noexcept {
   const double W = std::acos(std::clamp(cosine, -1.0, 1.0));
   const double sine = std::sin(W);
-  // Opposite quaternions: stay on the nearer of the two.
-  constexpr double kTinySine = 1e-12;
+  // Opposite quaternions, as far as an arc cosine can tell: stay on the nearer of the two.
+  constexpr double kTinySine = 1e-7;
   if (sine < kTinySine) {
     return t < 0.5 ? a : b;
   }
@@ -97,11 +97,16 @@ std::array<Quaternion, N> SlerpEach(const std::array<Quaternion, N>& a,
   if (smallest > 1 - 0.05) {
     return SeriesSlerp<kMostTerms>(a, b, t, cosine);
   }
-  std::array<Quaternion, N> result;
-  for (std::size_t k = 0; k < N; ++k) {
-    result[k] = TrigonometricSlerp(a[k], b[k], t, cosine[k]);
+  if constexpr (N == 1) {
+    return {TrigonometricSlerp(a[0], b[0], t, cosine[0])};
+  } else {
+    // One far pair among near ones: each goes its own way.
+    std::array<Quaternion, N> result;
+    for (std::size_t k = 0; k < N; ++k) {
+      result[k] = SlerpEach<1>({a[k]}, {b[k]}, t)[0];
+    }
+    return result;
   }
-  return result;
 }
 
 }  // namespace

@@ -28,6 +28,9 @@ JointRotations RotationsAt(const RhythmPosition& position) noexcept {
   return {pose.q_TC, pose.q_CS, pose.q_SH};
 }
 
+// Cosine of half the angle between rotations half a turn apart, 0 but for rounding.
+constexpr double kHalfTurnCosine = 1e-12;
+
 // Nearest value of [lower, upper]; a NaN gives `lower`.
 double Clamped(double value, double lower, double upper) noexcept {
   return value > lower ? std::min(value, upper) : lower;
@@ -95,7 +98,7 @@ void ShoulderRhythm::AlignSigns(std::size_t plane, std::size_t elevation) {
     if (elevation == 0) {
       knot[joint] = AlignedWith(knot[joint], neighbour);
     }
-    if (glm::dot(knot[joint], neighbour) <= 0) {
+    if (glm::dot(knot[joint], neighbour) <= kHalfTurnCosine) {
       const auto degrees = [](double angle_rad) {
         return std::to_string(DegreesFromRadians(angle_rad));
       };

@@ -5,9 +5,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <nlohmann/json.hpp>
 #include <vector>
+
+#include "tables/number_text.h"
 
 namespace girdle {
 namespace {
@@ -18,22 +19,16 @@ using Row = std::array<std::string, kColumns>;
 constexpr std::array<bool, kColumns> kRightAligned = {false, false, true, true,
                                                       false, false, false};
 
-std::string ThreeDigits(double value) {
-  constexpr int kDigits = 3;
-  constexpr std::size_t kRoom = 32;
-  std::array<char, kRoom> buffer;  // NOLINT(*-member-init): filled by to_chars
-  const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
-                                          std::chars_format::general, kDigits);
-  return {buffer.data(), end};
-}
+constexpr int kDigits = 3;
 
 }  // namespace
 
 std::string ReportAsText(const ResidualReport& report) {
   std::vector<Row> rows = {{"residual", "of", "value", "tolerance", "unit", "result", "where"}};
   for (const Residual& residual : report.residuals) {
-    rows.push_back({residual.group, residual.item, ThreeDigits(residual.value),
-                    residual.tolerance ? ThreeDigits(*residual.tolerance) : "-", residual.unit,
+    rows.push_back({residual.group, residual.item, SignificantText(residual.value, kDigits),
+                    residual.tolerance ? SignificantText(*residual.tolerance, kDigits) : "-",
+                    residual.unit,
                     !residual.tolerance ? "stated"
                     : residual.passed() ? "pass"
                                         : "FAIL",

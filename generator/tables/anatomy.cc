@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -70,8 +71,7 @@ class VectorColumns {
   [[nodiscard]] Vector3 Meters() const {
     const Vector3 position{csv_.Number(columns_[0]), csv_.Number(columns_[1]),
                            csv_.Number(columns_[2])};
-    if (std::max({std::abs(position.x), std::abs(position.y), std::abs(position.z)}) >
-        kFarthestLandmark_m) {
+    if (glm::length(position) > kFarthestLandmark_m) {
       csv_.Fail("a position more than 1 m from the origin. Give meters, not millimeters");
     }
     return position;

@@ -41,6 +41,13 @@ std::string NumberText(double value) {
   return text;
 }
 
+std::string SignificantText(double value, int digits) {
+  std::array<char, kLongestNumber> buffer;  // NOLINT(*-member-init): filled by to_chars
+  const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
+                                          std::chars_format::general, digits);
+  return {buffer.data(), end};
+}
+
 std::string RoundedText(double value, int decimals) {
   std::array<char, kLongestFixedNumber> buffer;  // NOLINT(*-member-init): filled by to_chars
   const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,

@@ -20,6 +20,9 @@ void AppendNumber(std::string& text, double value);
 /// Returns the shortest decimals that read back as exactly `value`.
 [[nodiscard]] std::string NumberText(double value);
 
+/// Returns `value` rounded to `digits` significant ones, as short as that allows.
+[[nodiscard]] std::string SignificantText(double value, int digits);
+
 /// Returns `value` rounded to `decimals` places, without trailing zeros; for tables that people
 /// read.
 [[nodiscard]] std::string RoundedText(double value, int decimals);

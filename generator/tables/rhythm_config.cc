@@ -82,7 +82,11 @@ RhythmConfig ParseRhythmConfig(const RhythmConfigText& text) {
   if (!text.stiffness.empty()) {
     stiffness = ParseStiffness(text.stiffness);
   }
-  return {ShoulderRhythm(std::move(table), options), stiffness};
+  try {
+    return {ShoulderRhythm(std::move(table), options), stiffness};
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error("config key \"" + std::string(kTableKey) + "\": " + error.what());
+  }
 }
 
 }  // namespace girdle

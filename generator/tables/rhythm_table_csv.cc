@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <fstream>
 #include <sstream>
 #include <string_view>
@@ -19,6 +20,7 @@ namespace girdle {
 namespace {
 
 constexpr double kHalfCircle_deg = 180;
+constexpr double kFullCircle_deg = 360;
 constexpr std::string_view kMeasured = "measured";
 constexpr std::string_view kDerived = "sc_ac_derived";
 constexpr std::array<std::string_view, 3> kScapulothoracicColumns = {
@@ -27,16 +29,27 @@ constexpr std::array<std::string_view, 3> kScapulothoracicColumns = {
 std::string ColumnOf(std::string_view coordinate) { return std::string(coordinate) + "_deg"; }
 
 // Shortest decimals of an angle in degrees that read back as exactly the same radians; degrees that
-// came from a short text keep that text.
+// came from a text keep that text.
 std::string ExactDegreesText(double angle_rad) {
-  constexpr int kMostDecimals = 15;
-  for (int decimals = 0; decimals <= kMostDecimals; ++decimals) {
-    std::string text = RoundedText(DegreesFromRadians(angle_rad), decimals);
-    if (RadiansFromDegrees(*FiniteNumber(text)) == angle_rad) {
+  const auto is_exact = [angle_rad](const std::string& text) {
+    return RadiansFromDegrees(*FiniteNumber(text)) == angle_rad;
+  };
+  const double angle_deg = DegreesFromRadians(angle_rad);
+  constexpr int kMostDigits = 17;
+  for (int digits = 1; digits <= kMostDigits; ++digits) {
+    std::string text = NumberText(*FiniteNumber(SignificantText(angle_deg, digits)));
+    if (is_exact(text)) {
       return text;
     }
   }
-  return NumberText(DegreesFromRadians(angle_rad));
+  // The way to degrees may round to the neighbour of the number that was read.
+  for (const double towards : {-kFullCircle_deg, kFullCircle_deg}) {
+    std::string text = NumberText(std::nextafter(angle_deg, towards));
+    if (is_exact(text)) {
+      return text;
+    }
+  }
+  return NumberText(angle_deg);
 }
 
 // Collects rows into a grid and says where the grid breaks.

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "kinematics/rhythm_table.h"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace girdle {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// The arguments of a table, valid as they are: two planes of three elevations.
+struct TableParts {
+  std::vector<double> planes_rad = {RadiansFromDegrees(0), RadiansFromDegrees(40)};
+  std::vector<double> elevations_rad = {RadiansFromDegrees(15), RadiansFromDegrees(20),
+                                        RadiansFromDegrees(25)};
+  std::vector<RhythmPosition> positions = std::vector<RhythmPosition>(6);
+
+  [[nodiscard]] RhythmTable Build() const { return {planes_rad, elevations_rad, positions}; }
+};
+
+TEST(RhythmTable, KeepsPositionsPlaneByPlane) {
+  TableParts parts;
+  for (std::size_t i = 0; i < parts.positions.size(); ++i) {
+    parts.positions[i].angles_rad[0] = 0.1 * static_cast<double>(i);
+  }
+  const RhythmTable table = parts.Build();
+  EXPECT_EQ(table.planes_rad(), parts.planes_rad);
+  EXPECT_EQ(table.elevations_rad(), parts.elevations_rad);
+  for (std::size_t plane = 0; plane < 2; ++plane) {
+    for (std::size_t elevation = 0; elevation < 3; ++elevation) {
+      EXPECT_EQ(table.position(plane, elevation).angles_rad[0],
+                parts.positions[3 * plane + elevation].angles_rad[0]);
+    }
+  }
+}
+
+TEST(RhythmTable, TakesAnglesOfHalfATurn) {
+  TableParts parts;
+  parts.positions[1].angles_rad[2] = kPi;
+  parts.positions[2].angles_rad[5] = -kPi;
+  EXPECT_NO_THROW(static_cast<void>(parts.Build()));
+}
+
+struct Flaw {
+  const char* name;
+  std::function<void(TableParts&)> change;
+  const char* message;
+};
+
+void PrintTo(const Flaw& flaw, std::ostream* out) { *out << flaw.name; }
+
+class FlawedTable : public testing::TestWithParam<Flaw> {};
+
+TEST_P(FlawedTable, IsRefusedWithIndexAndValue) {
+  TableParts parts;
+  GetParam().change(parts);
+  try {
+    static_cast<void>(parts.Build());
+    FAIL() << "accepted";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_EQ(std::string(error.what()), GetParam().message);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    OneFlawEach, FlawedTable,
+    testing::Values(
+        Flaw{"one plane",
+             [](TableParts& parts) {
+               parts.planes_rad.resize(1);
+               parts.positions.resize(3);
+             },
+             "planes: 1 given, at least 2 are needed to interpolate"},
+        Flaw{"one elevation",
+             [](TableParts& parts) {
+               parts.elevations_rad.resize(1);
+               parts.positions.resize(2);
+             },
+             "elevations: 1 given, at least 2 are needed to interpolate"},
+        Flaw{"a plane that is not a number", [](TableParts& parts) { parts.planes_rad[1] = kNan; },
+             "planes[1] is not finite"},
+        Flaw{"an infinite plane", [](TableParts& parts) { parts.planes_rad[1] = kInfinity; },
+             "planes[1] is not finite"},
+        Flaw{"an elevation that is not a number",
+             [](TableParts& parts) { parts.elevations_rad[0] = kNan; },
+             "elevations[0] is not finite"},
+        Flaw{"a plane twice", [](TableParts& parts) { parts.planes_rad[1] = parts.planes_rad[0]; },
+             "planes[1] = 0.000000 deg does not increase"},
+        Flaw{"elevations in disorder",
+             [](TableParts& parts) { parts.elevations_rad[2] = RadiansFromDegrees(18); },
+             "elevations[2] = 18.000000 deg does not increase"},
+        Flaw{"a position too few", [](TableParts& parts) { parts.positions.pop_back(); },
+             "the grid needs 6 positions, 5 given"},
+        Flaw{"a position too many", [](TableParts& parts) { parts.positions.emplace_back(); },
+             "the grid needs 6 positions, 7 given"},
+        Flaw{"an angle above half a turn",
+             [](TableParts& parts) { parts.positions[4].angles_rad[7] = RadiansFromDegrees(181); },
+             "position 4: gh_flexion = 181.000000 deg is not within [-180, 180]"},
+        Flaw{"an angle below half a turn",
+             [](TableParts& parts) { parts.positions[0].angles_rad[0] = RadiansFromDegrees(-181); },
+             "position 0: sc_protraction = -181.000000 deg is not within [-180, 180]"},
+        Flaw{"an angle that is not a number",
+             [](TableParts& parts) { parts.positions[5].angles_rad[8] = kNan; },
+             "position 5: gh_axial = nan deg is not within [-180, 180]"}));
+
+// "Every value is finite and every angle within [-pi, pi]."
+TEST(RhythmTable, RefusesAPublishedScapulaAngleThatIsNotFinite) {
+  TableParts parts;
+  parts.positions[3].scapulothoracic_rad = Vector3(0.1, kNan, 0.2);
+  EXPECT_THROW(static_cast<void>(parts.Build()), std::invalid_argument);
+}
+
+TEST(RhythmTable, RefusesAPublishedScapulaAngleAboveHalfATurn) {
+  TableParts parts;
+  parts.positions[3].scapulothoracic_rad = Vector3(0.1, RadiansFromDegrees(181), 0.2);
+  EXPECT_THROW(static_cast<void>(parts.Build()), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace girdle

@@ -1,0 +1,606 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "mjcf/shoulder_model.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <glm/geometric.hpp>
+#include <iterator>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "kinematics/model_names.h"
+#include "kinematics/random_rotations.h"
+#include "kinematics/shipped_data.h"
+#include "mjcf/bone_meshes.h"
+#include "mjcf/joint_dynamics.h"
+#include "mjcf/parsed_xml.h"
+#include "tables/built_in.h"
+#include "tables/csv_text.h"
+#include "tables/rhythm_config.h"
+#include "tables/rhythm_table_csv.h"
+
+namespace girdle {
+
+void PrintTo(const Actuation& actuation, std::ostream* out) {
+  *out << (actuation == Actuation::kPlugin ? "plugin" : "position");
+}
+
+namespace {
+
+// A few dozen roundings of numbers of size one.
+constexpr double kRounding = 1e-14;
+// Angles to and from quaternions.
+constexpr double kAngleRounding_rad = 1e-12;
+
+// Public names, written out: users' programs hold them.
+constexpr std::array<const char*, kCoordinateCount> kJoints = {
+    "sc_protraction_r",       "sc_elevation_r",       "sc_rotation_r",
+    "ac_internal_rotation_r", "ac_upward_rotation_r", "ac_tilt_r",
+    "gh_elevation_r",         "gh_flexion_r",         "gh_axial_r"};
+constexpr std::array<const char*, kJointCount> kMovingBones = {"clavicle_r", "scapula_r",
+                                                               "humerus_r"};
+
+const Anatomy& BuiltIn() {
+  static const Anatomy kAnatomy = BuiltInAnatomy();
+  return kAnatomy;
+}
+
+const ShoulderRhythm& BuiltInRhythm() {
+  static const ShoulderRhythm kRhythm(BuiltInRhythmTable());
+  return kRhythm;
+}
+
+const ParsedXml& Model(Actuation actuation) {
+  static const ParsedXml kPluginModel(
+      ShoulderModelXml(BuiltIn(), BuiltInRhythm(), {Actuation::kPlugin, false}));
+  static const ParsedXml kPositionModel(
+      ShoulderModelXml(BuiltIn(), BuiltInRhythm(), {Actuation::kPosition, false}));
+  return actuation == Actuation::kPlugin ? kPluginModel : kPositionModel;
+}
+
+// Text of one key of the plugin's configuration; empty if it is not there.
+std::string Config(const ParsedXml& model, const std::string& key) {
+  for (const auto* config : model.All("config")) {
+    if (TextOf(*config, "key") == key) return TextOf(*config, "value");
+  }
+  return "";
+}
+
+std::string Printed(const tinyxml2::XMLElement& element) {
+  tinyxml2::XMLPrinter printer;
+  element.Accept(&printer);
+  return printer.CStr();
+}
+
+class EitherActuation : public testing::TestWithParam<Actuation> {
+ protected:
+  static const ParsedXml& model() { return Model(GetParam()); }
+};
+
+INSTANTIATE_TEST_SUITE_P(Actuations, EitherActuation,
+                         testing::Values(Actuation::kPlugin, Actuation::kPosition),
+                         [](const auto& tested) {
+                           return tested.param == Actuation::kPlugin ? "Plugin" : "Position";
+                         });
+
+TEST_P(EitherActuation, HangsEachBoneOnTheOneBefore) {
+  std::string parent = "thorax";
+  for (const char* const bone : kMovingBones) {
+    const auto* const above = model().Named("body", bone).Parent()->ToElement();
+    EXPECT_EQ(TextOf(*above, "name"), parent);
+    parent = bone;
+  }
+  EXPECT_EQ(model().All("body").size(), 4U);
+}
+
+TEST_P(EitherActuation, HasNineHingesInTurningOrder) {
+  std::vector<std::string> names;
+  for (const auto* joint : model().All("joint")) {
+    names.push_back(TextOf(*joint, "name"));
+    EXPECT_EQ(joint->Attribute("type"), nullptr) << "a joint without a type is a hinge";
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{kJoints.begin(), kJoints.end()}));
+}
+
+TEST_P(EitherActuation, HasThreeHingesOnEachMovingBone) {
+  for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+    const auto* const body = model().Named("joint", kJoints[k]).Parent()->ToElement();
+    EXPECT_EQ(TextOf(*body, "name"), kMovingBones[k / 3]);
+  }
+}
+
+TEST_P(EitherActuation, KeepsTheAnatomysJointRanges) {
+  for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+    const auto range = NumbersOf(model().Named("joint", kJoints[k]), "range");
+    ASSERT_EQ(range.size(), 2U);
+    EXPECT_EQ(range[0], BuiltIn().ranges[k].lower_rad) << kJoints[k];
+    EXPECT_EQ(range[1], BuiltIn().ranges[k].upper_rad) << kJoints[k];
+  }
+}
+
+// The first row of the file: elevation 15 in the frontal plane.
+TEST_P(EitherActuation, StandsAtTheLowestMeasuredPosition) {
+  const MeasuredRow lowest = MeasuredRows().front();
+  ASSERT_EQ(lowest.elevation_deg, 15);
+  for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+    EXPECT_NEAR(NumberOf(model().Named("joint", kJoints[k]), "ref"),
+                RadiansFromDegrees(lowest.angles_deg[k]), kAngleRounding_rad)
+        << kJoints[k];
+  }
+}
+
+TEST_P(EitherActuation, StandsWithinItsRanges) {
+  for (const auto* joint : model().All("joint")) {
+    const auto range = NumbersOf(*joint, "range");
+    EXPECT_LT(range[0], NumberOf(*joint, "ref")) << TextOf(*joint, "name");
+    EXPECT_GT(range[1], NumberOf(*joint, "ref")) << TextOf(*joint, "name");
+  }
+}
+
+TEST_P(EitherActuation, TakesDampingAndArmatureFromItsDynamics) {
+  for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+    const auto& joint = model().Named("joint", kJoints[k]);
+    EXPECT_EQ(NumberOf(joint, "damping"), kJointDynamics[k / 3].damping_N_m_s_per_rad);
+    EXPECT_EQ(NumberOf(joint, "armature"), kJointDynamics[k / 3].armature_kg_m2);
+  }
+}
+
+// Its meaning differs between versions of MuJoCo.
+TEST_P(EitherActuation, HasNoDampingRatio) {
+  for (const auto* element : model().All("")) {
+    EXPECT_EQ(element->Attribute("dampratio"), nullptr) << element->Name();
+  }
+}
+
+TEST_P(EitherActuation, IsInRadiansAndIntegratedImplicitly) {
+  EXPECT_EQ(TextOf(model().Child("compiler"), "angle"), "radian");
+  EXPECT_EQ(TextOf(model().Child("option"), "integrator"), "implicitfast");
+}
+
+TEST_P(EitherActuation, CarriesTheMovingBonesAgainstGravity) {
+  for (const char* const bone : kMovingBones) {
+    EXPECT_EQ(NumberOf(model().Named("body", bone), "gravcomp"), 1) << bone;
+  }
+}
+
+// Right-multiplied in the order of the file, each about its axis in the bone's frame: MuJoCo's
+// manual, "Kinematics".
+Quaternion MujocoRotation(const tinyxml2::XMLElement& body,
+                          const std::array<double, 3>& positions_rad) {
+  Quaternion q = QuaternionOf(body, "quat");
+  std::size_t hinge = 0;
+  for (const auto* joint = body.FirstChildElement("joint"); joint != nullptr;
+       joint = joint->NextSiblingElement("joint")) {
+    const double half_rad = (positions_rad.at(hinge) - NumberOf(*joint, "ref")) / 2;
+    const Vector3 axis = std::sin(half_rad) * VectorOf(*joint, "axis");
+    q = q * Quaternion(std::cos(half_rad), axis.x, axis.y, axis.z);
+    ++hinge;
+  }
+  return q;
+}
+
+RC_GTEST_PROP(JointCoordinates, AreTheMeasuredEulerAngles, ()) {
+  const ParsedXml& model = Model(*rc::gen::element(Actuation::kPlugin, Actuation::kPosition));
+  for (std::size_t joint = 0; joint < kJointCount; ++joint) {
+    const std::array<double, 3> angles_rad = {*NumberWithin(-kPi, kPi), *NumberWithin(-kPi, kPi),
+                                              *NumberWithin(-kPi, kPi)};
+    const Quaternion expected =
+        QuaternionFromEuler(kJointSequences[joint], {angles_rad[0], angles_rad[1], angles_rad[2]});
+    const Quaternion q = MujocoRotation(model.Named("body", kMovingBones[joint]), angles_rad);
+    RC_ASSERT(AngleBetween(q, expected) < kRounding);
+  }
+}
+
+TEST_P(EitherActuation, HasHingeAxesOfUnitLength) {
+  for (const auto* joint : model().All("joint")) {
+    EXPECT_NEAR(glm::length(VectorOf(*joint, "axis")), 1, kRounding) << TextOf(*joint, "name");
+  }
+}
+
+TEST_P(EitherActuation, PutsTheThoraxUpright) {
+  const Quaternion q_WT = QuaternionOf(model().Named("body", "thorax"), "quat");
+  EXPECT_LT(glm::length(q_WT * Vector3(1, 0, 0) - Vector3(1, 0, 0)), kRounding) << "forward";
+  EXPECT_LT(glm::length(q_WT * Vector3(0, 1, 0) - Vector3(0, 0, 1)), kRounding) << "up";
+  EXPECT_LT(glm::length(q_WT * Vector3(0, 0, 1) - Vector3(0, -1, 0)), kRounding) << "right";
+}
+
+TEST_P(EitherActuation, HangsTheBonesAtTheirJoints) {
+  const auto shipped_m = ShippedLandmarks();
+  EXPECT_EQ(VectorOf(model().Named("body", "clavicle_r"), "pos"), shipped_m.at("SC"));
+  EXPECT_EQ(VectorOf(model().Named("body", "scapula_r"), "pos"), shipped_m.at("PAC"));
+  EXPECT_EQ(VectorOf(model().Named("body", "humerus_r"), "pos"), shipped_m.at("GH"));
+}
+
+TEST_P(EitherActuation, HasASiteAtEveryLandmark) {
+  for (const auto& row : ShippedRows("landmarks.csv")) {
+    const std::string& landmark = row.at(0);
+    const std::string& segment = row.at(1);
+    const bool is_in_the_middle =
+        landmark == "IJ" || landmark == "PX" || landmark == "C7" || landmark == "T8";
+    const auto& site = model().Named("site", is_in_the_middle ? landmark : landmark + "_r");
+    EXPECT_EQ(VectorOf(site, "pos"), ShippedLandmarks().at(landmark)) << landmark;
+    EXPECT_EQ(TextOf(*site.Parent()->ToElement(), "name"),
+              segment == "thorax" ? segment : segment + "_r")
+        << landmark;
+  }
+}
+
+TEST_P(EitherActuation, HasASecondSiteWhereABoneMeetsTheNext) {
+  for (const auto& [name, bone] :
+       {std::pair("SC_clavicle_r", "clavicle_r"), std::pair("PAC_scapula_r", "scapula_r"),
+        std::pair("GH_humerus_r", "humerus_r")}) {
+    const auto& site = model().Named("site", name);
+    EXPECT_EQ(site.Attribute("pos"), nullptr) << name << " lies at the origin of its bone";
+    EXPECT_EQ(TextOf(*site.Parent()->ToElement(), "name"), bone);
+  }
+}
+
+TEST_P(EitherActuation, HasTheAnatomysMasses) {
+  for (const auto& row : ShippedRows("segments.csv")) {
+    const std::string body = row.at(0) == "thorax" ? row.at(0) : row.at(0) + "_r";
+    const auto* const inertial = model().Named("body", body).FirstChildElement("inertial");
+    ASSERT_NE(inertial, nullptr) << body;
+    EXPECT_EQ(NumberOf(*inertial, "mass"), std::stod(row.at(1))) << body;
+    EXPECT_EQ(VectorOf(*inertial, "pos"),
+              Vector3(std::stod(row.at(2)), std::stod(row.at(3)), std::stod(row.at(4))))
+        << body;
+    EXPECT_EQ(VectorOf(*inertial, "diaginertia"),
+              Vector3(std::stod(row.at(5)), std::stod(row.at(6)), std::stod(row.at(7))))
+        << body;
+  }
+}
+
+struct NamedPlace {
+  const char* name;
+  double elevation_deg;
+  double plane_deg;
+};
+
+// The lowest position that is measured stands for rest.
+constexpr NamedPlace kPlaces[] = {{"rest", 15, 0},           {"abduction_30", 30, 0},
+                                  {"abduction_60", 60, 0},   {"abduction_90", 90, 0},
+                                  {"abduction_120", 120, 0}, {"flexion_90", 90, 90}};
+
+TEST_P(EitherActuation, HasAKeyframeForEachNamedPose) {
+  const auto keys = model().All("key");
+  ASSERT_EQ(keys.size(), std::size(kPlaces));
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    EXPECT_EQ(TextOf(*keys[i], "name"), kPlaces[i].name);
+  }
+}
+
+// Every named pose lies on a measured position.
+TEST_P(EitherActuation, StandsAtTheMeasuredAnglesInItsKeyframes) {
+  for (const NamedPlace& place : kPlaces) {
+    const auto qpos = NumbersOf(model().Named("key", place.name), "qpos");
+    ASSERT_EQ(qpos.size(), kCoordinateCount) << place.name;
+    int rows = 0;
+    for (const MeasuredRow& row : MeasuredRows()) {
+      if (row.elevation_deg != place.elevation_deg || row.plane_deg != place.plane_deg) continue;
+      for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+        EXPECT_NEAR(qpos[k], RadiansFromDegrees(row.angles_deg[k]), kAngleRounding_rad)
+            << place.name << ", " << kJoints[k];
+      }
+      ++rows;
+    }
+    EXPECT_EQ(rows, 1) << place.name;
+  }
+}
+
+TEST(PluginModel, CommandsItsKeyframesToTheirElevationAndPlane) {
+  for (const NamedPlace& place : kPlaces) {
+    const auto ctrl = NumbersOf(Model(Actuation::kPlugin).Named("key", place.name), "ctrl");
+    std::vector<double> expected(kCommandCount + kCoordinateCount);
+    expected[0] = RadiansFromDegrees(place.elevation_deg);
+    expected[1] = RadiansFromDegrees(place.plane_deg);
+    EXPECT_EQ(ctrl, expected) << place.name;
+  }
+}
+
+TEST(PositionModel, CommandsTheJointsToTheirKeyframes) {
+  for (const auto* key : Model(Actuation::kPosition).All("key")) {
+    EXPECT_EQ(NumbersOf(*key, "ctrl"), NumbersOf(*key, "qpos")) << TextOf(*key, "name");
+  }
+}
+
+TEST_P(EitherActuation, HasNoNumberThatIsNotFiniteOrIsMinusZero) {
+  EXPECT_EQ(BadNumbers(model()), std::vector<std::string>());
+}
+
+TEST(PluginModel, HasThreeCommandsAndNineServosOnOneInstance) {
+  const auto& actuator = Model(Actuation::kPlugin).Child("actuator");
+  std::vector<std::string> names;
+  for (const auto* plugin : ParsedXml::All(actuator, "")) {
+    EXPECT_STREQ(plugin->Name(), "plugin");
+    EXPECT_EQ(TextOf(*plugin, "instance"), "rhythm_r");
+    names.push_back(TextOf(*plugin, "name"));
+  }
+  std::vector<std::string> expected = {"elevation_r", "plane_r", "axial_r"};
+  expected.insert(expected.end(), kJoints.begin(), kJoints.end());
+  EXPECT_EQ(names, expected);
+}
+
+TEST(PluginModel, HasCommandsWithoutForce) {
+  const ParsedXml& model = Model(Actuation::kPlugin);
+  for (const char* const command : {"elevation_r", "plane_r", "axial_r"}) {
+    EXPECT_EQ(NumberOf(model.Named("plugin", command), "gear"), 0) << command;
+  }
+}
+
+TEST(PluginModel, HasServosOnTheirOwnJoints) {
+  const ParsedXml& model = Model(Actuation::kPlugin);
+  for (const char* const joint : kJoints) {
+    const auto& servo = model.Named("plugin", joint);
+    EXPECT_EQ(TextOf(servo, "joint"), joint);
+    EXPECT_EQ(servo.Attribute("gear"), nullptr) << joint << " would be taken for a command";
+  }
+}
+
+TEST(PluginModel, TakesCommandsWithinTheTable) {
+  const ParsedXml& model = Model(Actuation::kPlugin);
+  EXPECT_EQ(NumbersOf(model.Named("plugin", "elevation_r"), "ctrlrange"),
+            (std::vector<double>{RadiansFromDegrees(15), RadiansFromDegrees(120)}));
+  EXPECT_EQ(NumbersOf(model.Named("plugin", "plane_r"), "ctrlrange"),
+            (std::vector<double>{0, RadiansFromDegrees(90)}));
+}
+
+TEST(PluginModel, TakesAxialCommandsThatKeepTheHumerusWithinItsRange) {
+  const ParsedXml& model = Model(Actuation::kPlugin);
+  const auto command = NumbersOf(model.Named("plugin", "axial_r"), "ctrlrange");
+  const auto range = NumbersOf(model.Named("joint", "gh_axial_r"), "range");
+  double lowest_rad = kPi;
+  double highest_rad = -kPi;
+  for (const MeasuredRow& row : MeasuredRows()) {
+    lowest_rad = std::min(lowest_rad, RadiansFromDegrees(row.angles_deg[kGhAxialIndex]));
+    highest_rad = std::max(highest_rad, RadiansFromDegrees(row.angles_deg[kGhAxialIndex]));
+  }
+  EXPECT_NEAR(lowest_rad + command.at(0), range.at(0), kRounding);
+  EXPECT_NEAR(highest_rad + command.at(1), range.at(1), kRounding);
+}
+
+TEST(PluginModel, HasTheSensorOfItsInstance) {
+  const auto sensors = ParsedXml::All(Model(Actuation::kPlugin).Child("sensor"), "plugin");
+  ASSERT_EQ(sensors.size(), 1U);
+  EXPECT_EQ(TextOf(*sensors[0], "name"), "rhythm_r");
+  EXPECT_EQ(TextOf(*sensors[0], "instance"), "rhythm_r");
+}
+
+TEST(PluginModel, NamesThePluginOfItsInstance) {
+  const ParsedXml& model = Model(Actuation::kPlugin);
+  const auto& instance = model.Named("instance", "rhythm_r");
+  EXPECT_EQ(TextOf(*instance.Parent()->ToElement(), "plugin"), "girdle.rhythm");
+}
+
+class ConfiguredRhythm : public testing::TestWithParam<Interpolation> {};
+
+// What the plugin reads is what the model was made of.
+TEST_P(ConfiguredRhythm, IsTheOneTheModelWasMadeOf) {
+  const ShoulderRhythm rhythm(BuiltInRhythmTable(), {GetParam(), Closure::kTable});
+  const ParsedXml model(ShoulderModelXml(BuiltIn(), rhythm));
+  const RhythmConfig config =
+      ParseRhythmConfig({Config(model, "interpolation"), Config(model, "closure"),
+                         Config(model, "table"), Config(model, "kp")});
+  EXPECT_EQ(config.rhythm.options().interpolation, GetParam());
+  EXPECT_EQ(config.rhythm.options().closure, Closure::kTable);
+}
+
+INSTANTIATE_TEST_SUITE_P(Words, ConfiguredRhythm,
+                         testing::Values(Interpolation::kSquad, Interpolation::kSlerp));
+
+TEST(PluginModel, HasTheStiffnessesOfItsDynamics) {
+  const RhythmConfig config =
+      ParseRhythmConfig({"", "", "", Config(Model(Actuation::kPlugin), "kp")});
+  for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+    EXPECT_EQ(config.stiffness_N_m_per_rad[k], kJointDynamics[k / 3].stiffness_N_m_per_rad)
+        << kJoints[k];
+  }
+}
+
+TEST(PluginModel, LeavesTheTableToThePluginUnlessTold) {
+  EXPECT_EQ(Config(Model(Actuation::kPlugin), "table"), "");
+}
+
+// The built-in rows with one angle changed, so that the built-in table cannot stand in for it.
+RhythmTable OtherTable() {
+  std::vector<MeasuredRow> rows = MeasuredRows();
+  rows.front().angles_deg[1] -= 2.5;
+  return TableOf(rows);
+}
+
+TEST(PluginModel, CarriesATableThatReadsBack) {
+  const ParsedXml model(
+      ShoulderModelXml(BuiltIn(), ShoulderRhythm(OtherTable()), {Actuation::kPlugin, true}));
+  const RhythmTable table = RhythmTableFromLine(Config(model, "table"), "config");
+  EXPECT_EQ(table.planes_rad(), OtherTable().planes_rad());
+  EXPECT_EQ(table.elevations_rad(), OtherTable().elevations_rad());
+  for (std::size_t plane = 0; plane < table.planes_rad().size(); ++plane) {
+    for (std::size_t elevation = 0; elevation < table.elevations_rad().size(); ++elevation) {
+      EXPECT_EQ(table.position(plane, elevation).angles_rad,
+                OtherTable().position(plane, elevation).angles_rad)
+          << "plane " << plane << ", elevation " << elevation;
+    }
+  }
+}
+
+TEST(ShoulderModel, OfAnotherTableStandsAtThatTablesLowestPosition) {
+  const ParsedXml model(ShoulderModelXml(BuiltIn(), ShoulderRhythm(OtherTable())));
+  EXPECT_NEAR(NumberOf(model.Named("joint", "sc_elevation_r"), "ref"),
+              OtherTable().position(0, 0).angles_rad[1], kAngleRounding_rad);
+}
+
+TEST(ShoulderModel, OfAnotherAnatomyHasItsLandmarksAndMasses) {
+  Anatomy anatomy = BuiltIn();
+  anatomy.landmarks_m[static_cast<std::size_t>(Landmark::kGH)] = {0.009, -0.05, -0.006};
+  anatomy.segments[static_cast<std::size_t>(Segment::kHumerus)].mass_kg = 2.5;
+  const ParsedXml model(ShoulderModelXml(anatomy, BuiltInRhythm()));
+  const auto& humerus = model.Named("body", "humerus_r");
+  EXPECT_EQ(VectorOf(humerus, "pos"), Vector3(0.009, -0.05, -0.006));
+  EXPECT_EQ(VectorOf(model.Named("site", "GH_r"), "pos"), Vector3(0.009, -0.05, -0.006));
+  EXPECT_EQ(NumberOf(*humerus.FirstChildElement("inertial"), "mass"), 2.5);
+}
+
+TEST(PositionModel, HasNinePositionServosWithTheSameGains) {
+  const auto servos = ParsedXml::All(Model(Actuation::kPosition).Child("actuator"), "");
+  const RhythmConfig plugin =
+      ParseRhythmConfig({"", "", "", Config(Model(Actuation::kPlugin), "kp")});
+  ASSERT_EQ(servos.size(), kCoordinateCount);
+  for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+    EXPECT_STREQ(servos[k]->Name(), "position");
+    EXPECT_EQ(TextOf(*servos[k], "name"), kJoints[k]);
+    EXPECT_EQ(TextOf(*servos[k], "joint"), kJoints[k]);
+    EXPECT_EQ(NumberOf(*servos[k], "kp"), plugin.stiffness_N_m_per_rad[k]) << kJoints[k];
+  }
+}
+
+TEST(PositionModel, TakesTargetsWithinTheJointRanges) {
+  const ParsedXml& model = Model(Actuation::kPosition);
+  for (const char* const joint : kJoints) {
+    EXPECT_EQ(NumbersOf(model.Named("position", joint), "ctrlrange"),
+              NumbersOf(model.Named("joint", joint), "range"))
+        << joint;
+  }
+}
+
+TEST(PositionModel, HasNoPlugin) {
+  for (const auto* element : Model(Actuation::kPosition).All("")) {
+    EXPECT_STRNE(element->Name(), "plugin");
+    EXPECT_STRNE(element->Name(), "extension");
+  }
+}
+
+TEST(PositionModel, IsTheSameBodyAsThePluginModel) {
+  for (const char* const part : {"compiler", "option", "default", "asset", "worldbody"}) {
+    EXPECT_EQ(Printed(Model(Actuation::kPosition).Child(part)),
+              Printed(Model(Actuation::kPlugin).Child(part)))
+        << part;
+  }
+}
+
+TEST(ShoulderModel, IsTheSameTextEveryTime) {
+  EXPECT_EQ(ShoulderModelXml(BuiltIn(), BuiltInRhythm()),
+            ShoulderModelXml(BuiltInAnatomy(), ShoulderRhythm(BuiltInRhythmTable())));
+}
+
+struct Outside {
+  const char* name;
+  std::size_t coordinate;
+  double angle_deg;
+  const char* message;
+};
+
+void PrintTo(const Outside& outside, std::ostream* out) { *out << outside.name; }
+
+class TableOutsideTheRanges : public testing::TestWithParam<Outside> {};
+
+TEST_P(TableOutsideTheRanges, IsRefusedWithValuePlaceAndRange) {
+  constexpr std::size_t kPlane40Elevation60 = 22 + 9;
+  std::vector<MeasuredRow> rows = MeasuredRows();
+  rows[kPlane40Elevation60].angles_deg[GetParam().coordinate] = GetParam().angle_deg;
+  const ShoulderRhythm rhythm(TableOf(rows));
+  EXPECT_EQ(MessageOf<std::invalid_argument>(
+                [&] { static_cast<void>(ShoulderModelXml(BuiltIn(), rhythm)); }),
+            GetParam().message);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    OneAngleEach, TableOutsideTheRanges,
+    testing::Values(
+        Outside{"protraction above", 0, 10.5,
+                "sc_protraction is 10.5 deg at plane 40, elevation 60, outside the joint's range "
+                "-60 to 10 deg. Check the signs and the sequence of the table's angles"},
+        Outside{"axial angle below", 8, -121,
+                "gh_axial is -121 deg at plane 40, elevation 60, outside the joint's range -120 to "
+                "60 deg. Check the signs and the sequence of the table's angles"}));
+
+TEST(ShoulderModel, TakesATableOnTheEdgeOfARange) {
+  std::vector<MeasuredRow> rows = MeasuredRows();
+  rows[10].angles_deg[0] = -60;
+  const ShoulderRhythm rhythm(TableOf(rows));
+  EXPECT_NO_THROW(static_cast<void>(ShoulderModelXml(BuiltIn(), rhythm)));
+}
+
+struct NamedMesh {
+  const char* name;
+  TriangleMesh (*draw)(const Anatomy&);
+};
+
+void PrintTo(const NamedMesh& mesh, std::ostream* out) { *out << mesh.name; }
+
+class MeshOfTheModel : public testing::TestWithParam<NamedMesh> {};
+
+TEST_P(MeshOfTheModel, IsTheDrawnBoneToATenthOfAMillimeter) {
+  constexpr double kHalfATenth_m = 0.5e-4 + 1e-12;
+  const TriangleMesh drawn = GetParam().draw(BuiltIn());
+  const auto& mesh = Model(Actuation::kPlugin).Named("mesh", GetParam().name);
+  const auto vertices_m = NumbersOf(mesh, "vertex");
+  ASSERT_EQ(vertices_m.size(), 3 * drawn.vertices_m.size());
+  for (std::size_t i = 0; i < vertices_m.size(); ++i) {
+    EXPECT_NEAR(vertices_m[i], drawn.vertices_m[i / 3][static_cast<int>(i % 3)], kHalfATenth_m);
+  }
+  const auto faces = NumbersOf(mesh, "face");
+  ASSERT_EQ(faces.size(), 3 * drawn.triangles.size());
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    EXPECT_EQ(faces[i], drawn.triangles[i / 3][i % 3]);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Bones, MeshOfTheModel,
+                         testing::Values(NamedMesh{"ribcage", RibcageMesh},
+                                         NamedMesh{"clavicle_r", ClavicleMesh},
+                                         NamedMesh{"scapula_r", ScapulaMesh},
+                                         NamedMesh{"humerus_r", HumerusMesh}));
+
+TEST_P(EitherActuation, DrawsEachBoneOnItsBody) {
+  for (const auto& [geom, body] :
+       {std::pair("ribcage", "thorax"), std::pair("clavicle_r", "clavicle_r"),
+        std::pair("scapula_r", "scapula_r"), std::pair("humerus_r", "humerus_r")}) {
+    const auto& element = model().Named("geom", geom);
+    EXPECT_EQ(TextOf(element, "mesh"), geom);
+    EXPECT_EQ(TextOf(*element.Parent()->ToElement(), "name"), body);
+  }
+}
+
+// A mesh's frame is the body's, so that nothing may move or turn the geom.
+TEST_P(EitherActuation, DrawsEachBoneInTheFrameOfItsBody) {
+  for (const auto* geom : ParsedXml::All(model().Child("worldbody"), "geom")) {
+    for (const char* const attribute : {"pos", "quat", "euler", "axisangle", "xyaxes", "zaxis"}) {
+      EXPECT_EQ(geom->Attribute(attribute), nullptr) << TextOf(*geom, "name");
+    }
+  }
+}
+
+TEST_P(EitherActuation, DrawsBonesThatNeitherCollideNorWeigh) {
+  const auto defaults = ParsedXml::All(model().Child("default"), "geom");
+  ASSERT_EQ(defaults.size(), 1U);
+  EXPECT_EQ(NumberOf(*defaults[0], "contype"), 0);
+  EXPECT_EQ(NumberOf(*defaults[0], "conaffinity"), 0);
+  EXPECT_EQ(NumberOf(*defaults[0], "mass"), 0);
+  EXPECT_EQ(TextOf(*defaults[0]->Parent()->ToElement(), "class"),
+            TextOf(model().Named("body", "thorax"), "childclass"));
+}
+
+TEST(JointDynamics, LagsTheTargetByTwentyMilliseconds) {
+  for (const JointDynamics& joint : kJointDynamics) {
+    EXPECT_DOUBLE_EQ(joint.damping_N_m_s_per_rad / joint.stiffness_N_m_per_rad, 0.020);
+  }
+}
+
+TEST(JointDynamics, HasTheArmatureThatTheDesignAllows) {
+  for (const JointDynamics& joint : kJointDynamics) {
+    EXPECT_GE(joint.armature_kg_m2, 0.005);
+    EXPECT_LE(joint.armature_kg_m2, 0.02);
+  }
+}
+
+}  // namespace
+}  // namespace girdle

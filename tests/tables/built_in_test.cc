@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "tables/built_in.h"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <fstream>
+#include <glm/geometric.hpp>
+#include <iterator>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "kinematics/shipped_data.h"
+#include "tables/built_in_files.h"
+
+namespace girdle {
+namespace {
+
+// A name in data/ and the text that is built in under it.
+using FileAndText = std::pair<const char*, const std::string_view*>;
+
+class ShippedFile : public testing::TestWithParam<FileAndText> {};
+
+TEST_P(ShippedFile, IsBuiltInByteForByte) {
+  const auto& [file, text] = GetParam();
+  std::ifstream in(std::string(GIRDLE_SOURCE_DIR) + "/data/" + file, std::ios::binary);
+  ASSERT_TRUE(in) << file;
+  EXPECT_EQ(*text, std::string(std::istreambuf_iterator<char>(in), {}));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Data, ShippedFile,
+    testing::Values(FileAndText("ludewig2009.csv", &built_in_files::kLudewig2009),
+                    FileAndText("landmarks.csv", &built_in_files::kLandmarks),
+                    FileAndText("segments.csv", &built_in_files::kSegments),
+                    FileAndText("joint_ranges.csv", &built_in_files::kJointRanges),
+                    FileAndText("thorax_ellipsoids.csv", &built_in_files::kThoraxEllipsoids)));
+
+TEST(BuiltInRhythmTable, IsTheShippedTable) {
+  const RhythmTable table = BuiltInRhythmTable();
+  const RhythmTable expected = TableOf(MeasuredRows());
+  EXPECT_EQ(table.planes_rad(), expected.planes_rad());
+  EXPECT_EQ(table.elevations_rad(), expected.elevations_rad());
+  for (std::size_t plane = 0; plane < 3; ++plane) {
+    for (std::size_t elevation = 0; elevation < 22; ++elevation) {
+      EXPECT_EQ(table.position(plane, elevation).angles_rad,
+                expected.position(plane, elevation).angles_rad)
+          << "plane " << plane << ", elevation " << elevation;
+    }
+  }
+}
+
+TEST(BuiltInAnatomy, HasTheShippedLandmarks) {
+  const Anatomy anatomy = BuiltInAnatomy();
+  const auto shipped_m = ShippedLandmarks();
+  ASSERT_EQ(shipped_m.size(), kLandmarkCount);
+  for (std::size_t i = 0; i < kLandmarkCount; ++i) {
+    EXPECT_EQ(anatomy.landmarks_m[i], shipped_m.at(std::string(kLandmarks[i].name)))
+        << kLandmarks[i].name;
+  }
+}
+
+TEST(BuiltInAnatomy, HasAMassForEverySegment) {
+  for (const SegmentInertia& segment : BuiltInAnatomy().segments) {
+    EXPECT_GT(segment.mass_kg, 0);
+  }
+}
+
+// The published lengths of the specimen, to the millimetre's tenth that is printed.
+TEST(BuiltInAnatomy, HasThePublishedLengths) {
+  constexpr double kPrinted_m = 0.00005;
+  constexpr double kPrintedWhole_m = 0.0005;
+  const Anatomy anatomy = BuiltInAnatomy();
+  const auto length_m = [&](Landmark a, Landmark b) {
+    return glm::length(anatomy.landmark_m(a) - anatomy.landmark_m(b));
+  };
+  EXPECT_NEAR(glm::length(anatomy.landmark_m(Landmark::kPAC)), 0.1575, kPrinted_m);
+  EXPECT_NEAR(glm::length(anatomy.landmark_m(Landmark::kTS)), 0.129, kPrintedWhole_m);
+  EXPECT_NEAR(length_m(Landmark::kTS, Landmark::kAI), 0.118, kPrintedWhole_m);
+  EXPECT_NEAR(glm::length(anatomy.elbow_m()), 0.2871, kPrinted_m);
+}
+
+TEST(BuiltInAnatomy, HasRangesThatHoldTheMeasuredRhythmWithRoomToSpare) {
+  constexpr double kRoom_deg = 5;
+  const Anatomy anatomy = BuiltInAnatomy();
+  for (const MeasuredRow& row : MeasuredRows()) {
+    for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+      EXPECT_GT(row.angles_deg[k], DegreesFromRadians(anatomy.ranges[k].lower_rad) + kRoom_deg)
+          << kCoordinateNames[k] << ", plane " << row.plane_deg << ", elevation "
+          << row.elevation_deg;
+      EXPECT_LT(row.angles_deg[k], DegreesFromRadians(anatomy.ranges[k].upper_rad) - kRoom_deg)
+          << kCoordinateNames[k] << ", plane " << row.plane_deg << ", elevation "
+          << row.elevation_deg;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace girdle
