@@ -38,7 +38,7 @@ constexpr SeriesFactors kSeries = MakeSeriesFactors();
 
 // Slerp of N pairs by the series. The N sums run side by side: each alone would wait for its own
 // last term.
-template <int kTerms, std::size_t N>
+template <int Terms, std::size_t N>
 std::array<Quaternion, N> SeriesSlerp(const std::array<Quaternion, N>& a,
                                       const std::array<Quaternion, N>& b, double t,
                                       const std::array<double, N>& cosine) noexcept {
@@ -47,7 +47,7 @@ std::array<Quaternion, N> SeriesSlerp(const std::array<Quaternion, N>& a,
   std::array<double, N> sum_b;  // NOLINT(*-member-init): filled below
   sum_a.fill(1);
   sum_b.fill(1);
-  for (int i = kTerms - 1; i >= 0; --i) {
+  for (int i = Terms - 1; i >= 0; --i) {
     const double factor_a = kSeries.square_factor[i] * u * u - kSeries.constant[i];
     const double factor_b = kSeries.square_factor[i] * t * t - kSeries.constant[i];
     for (std::size_t k = 0; k < N; ++k) {

@@ -81,6 +81,12 @@ INSTANTIATE_TEST_SUITE_P(
         AcceptedText{"comma in quotes", "a,b\n\"1,5\",\"2,5\"\n", {{"1,5", "2,5"}}},
         AcceptedText{
             "quote in quotes", "a,b\n\"say \"\"no\"\"\",\"\"\"\"\n", {{"say \"no\"", "\""}}},
+        // Longer than a string keeps within itself.
+        AcceptedText{"long quoted fields",
+                     "a,b\n\"a field of some forty letters, with a comma\",\"and one more, as long "
+                     "as the first of both\"\n",
+                     {{"a field of some forty letters, with a comma",
+                       "and one more, as long as the first of both"}}},
         AcceptedText{"empty quotes", "a,b\n\"\",\"\"\n", {{"", ""}}},
         AcceptedText{"plain field after a quoted one", "a,b\n\"1\",\n", {{"1", ""}}},
         AcceptedText{"quotes under Windows", "a,b\r\n\"1\",\"2\"\r\n", {{"1", "2"}}},

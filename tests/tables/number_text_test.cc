@@ -158,6 +158,30 @@ TEST(RoundedText, OfTheLargestNumberIsWhole) {
             -std::numeric_limits<double>::max());
 }
 
+TEST(SignificantText, HasSoManyDigitsAtMost) {
+  EXPECT_EQ(SignificantText(123.456, 3), "123");
+  EXPECT_EQ(SignificantText(0.0123456, 3), "0.0123");
+  EXPECT_EQ(SignificantText(2.5, 3), "2.5");
+  EXPECT_EQ(SignificantText(1.23456e-12, 3), "1.23e-12");
+  EXPECT_EQ(SignificantText(-17.26, 3), "-17.3");
+}
+
+RC_GTEST_PROP(SignificantText, IsAtMostHalfItsLastDigitOff, ()) {
+  const double number = *NumberWithin(-1000, 1000);
+  RC_PRE(number != 0);
+  const int digits = *rc::gen::inRange(1, 16);
+  const auto back = FiniteNumber(SignificantText(number, digits));
+  RC_ASSERT(back.has_value());
+  const double last_digit = std::pow(10, std::floor(std::log10(std::abs(number))) - digits + 1);
+  constexpr double kRounding = 1e-12;  // of numbers up to a thousand
+  RC_ASSERT(std::abs(*back - number) <= 0.5 * last_digit + kRounding);
+}
+
+RC_GTEST_PROP(SignificantText, OfSeventeenDigitsReadsBackExactly, ()) {
+  const double number = *AnyFiniteNumber();
+  RC_ASSERT(FiniteNumber(SignificantText(number, 17)) == number);
+}
+
 // A locale that writes 1.234,5.
 class CommaForPoint : public std::numpunct<char> {
  protected:
