@@ -59,6 +59,7 @@ void RefuseEmptyWords(int argc, char** argv) {
 int Run(int argc, char** argv) {
   CLI::App program("A human shoulder for MuJoCo that moves as measured.", "girdle");
   program.set_version_flag("--version", "girdle " GIRDLE_VERSION);
+  program.require_subcommand(0, 1);
   int residual_status = 0;
   AddSolveCommand(program);
   AddGenerateCommand(program);

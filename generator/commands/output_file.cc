@@ -4,6 +4,7 @@
 #include "commands/output_file.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -41,8 +42,12 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
     }
     return;
   }
-  // A link stays a link: what it points to is replaced.
-  const std::filesystem::path target = std::filesystem::weakly_canonical(path_, ignored);
+  // A link stays a link: what it points to is replaced, or made.
+  std::filesystem::path target = std::filesystem::absolute(path_, ignored);
+  constexpr int kMostLinks = 40;  // as the kernel follows
+  for (int i = 0; i < kMostLinks && std::filesystem::is_symlink(target, ignored); ++i) {
+    target = target.parent_path() / std::filesystem::read_symlink(target, ignored);
+  }
   path_ = target.string();
   temporary_path_ = path_ + "." + std::to_string(getpid()) + ".part";
   if (!OpenUnnamed(target.parent_path().string())) {
@@ -58,6 +63,10 @@ bool OutputFile::OpenUnnamed(const std::string& folder) {
     return false;
   }
   file_ = fdopen(descriptor, "wb");
+  if (file_ == nullptr) {
+    close(descriptor);
+    return false;
+  }
   is_named_ = false;
   return true;
 }
@@ -100,6 +109,13 @@ void OutputFile::Commit() {
   }
   if (file_ == stdout) {
     return;
+  }
+  if (!temporary_path_.empty()) {
+    // Who could read the earlier file can read this one, and nobody else.
+    struct stat earlier {};
+    if (stat(path_.c_str(), &earlier) == 0 && fchmod(fileno(file_), earlier.st_mode) != 0) {
+      Fail();
+    }
   }
   if (!is_named_) {
     Name();

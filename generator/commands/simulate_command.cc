@@ -32,6 +32,7 @@ struct SimulateArguments {
   std::optional<std::string> seconds;
   std::optional<std::string> motion;
   std::string trace;
+  RhythmArguments rhythm;
   bool json = false;
 };
 
@@ -63,8 +64,11 @@ MotionRequest Requested(const SimulateArguments& arguments) {
   }
   const std::string& raise = *arguments.raise;
   const std::size_t colon = std::min(raise.find(':'), raise.size());
-  const double plane_rad =
-      RadiansFromDegrees(NumberArgument("--plane", arguments.plane.value_or("0")));
+  const double plane_deg = NumberArgument("--plane", arguments.plane.value_or("0"));
+  if (std::abs(plane_deg) > kFullCircle_deg) {
+    throw InputError("--plane " + *arguments.plane + ": expected degrees within -360 to 360");
+  }
+  const double plane_rad = RadiansFromDegrees(plane_deg);
   request.from = {RaiseElevation(arguments, raise.substr(0, colon)), plane_rad, 0};
   request.to = {RaiseElevation(arguments, raise.substr(std::min(colon + 1, raise.size()))),
                 plane_rad, 0};
@@ -78,6 +82,9 @@ MotionRequest Requested(const SimulateArguments& arguments) {
 
 void Simulate(const SimulateArguments& arguments) {
   const MotionRequest request = Requested(arguments);
+  if (arguments.json && arguments.trace == "-") {
+    throw InputError("--json and --trace - both want standard output. Write the trace to a file");
+  }
   const SimulationModule& simulation = LoadSimulation();
   std::optional<OutputFile> trace;
   if (!arguments.trace.empty()) {
@@ -85,7 +92,7 @@ void Simulate(const SimulateArguments& arguments) {
   }
   TerminalProgress progress("simulating", arguments.trace != "-");
   const SimulationSummary summary = simulation.simulate(
-      arguments.model, ChosenPlugin(arguments.plugin), request,
+      arguments.model, ChosenPlugin(arguments.plugin), request, OverrideFrom(arguments.rhythm),
       [&trace](std::string_view text) {
         if (trace) {
           trace->Write(text);
@@ -106,6 +113,7 @@ void Simulate(const SimulateArguments& arguments) {
                                             : nlohmann::ordered_json(arguments.trace);
     json["rows"] = summary.rows;
     json["duration_s"] = summary.duration_s;
+    json["clamped_rows"] = summary.clamped_rows;
     json["worst_tracking_error_deg"] = summary.worst_error_deg;
     json["last_tracking_error_deg"] = summary.last_error_deg;
     Print(json.dump(2) + "\n");
@@ -116,6 +124,11 @@ void Simulate(const SimulateArguments& arguments) {
         std::to_string(summary.rows) + " states; joints at most " +
         RoundedText(summary.worst_error_deg, kDecimals) + " deg off their targets, " +
         RoundedText(summary.last_error_deg, kDecimals) + " at the end\n" +
+        (summary.clamped_rows > 0
+             ? std::to_string(summary.clamped_rows) +
+                   " commands lay outside the measured table or the controls' ranges; the nearest "
+                   "pose was used\n"
+             : "") +
         (trace ? "trace  " + arguments.trace + "\n" : ""));
 }
 
@@ -138,6 +151,7 @@ void AddSimulateCommand(CLI::App& program) {
       ->type_name("FILE");
   verb->add_option("--trace", arguments->trace, "CSV to write; - for standard output")
       ->type_name("FILE");
+  AddRhythmArguments(*verb, arguments->rhythm);
   AddPluginArgument(*verb, arguments->plugin);
   verb->add_flag("--json", arguments->json, "Summary as JSON");
   verb->footer(

@@ -38,6 +38,19 @@ std::string ChosenPlugin(const std::string& plugin) {
   return plugin.empty() ? PartOfProgram(kPluginFile).string() : plugin;
 }
 
+RhythmOverride OverrideFrom(const RhythmArguments& arguments) {
+  const RhythmOptions options = ChosenOptions(arguments);
+  RhythmOverride rhythm;
+  if (!arguments.interpolation.empty()) {
+    rhythm.interpolation = options.interpolation;
+  }
+  if (!arguments.closure.empty()) {
+    rhythm.closure = options.closure;
+  }
+  rhythm.table_file = arguments.table;
+  return rhythm;
+}
+
 bool HasSimulation() {
   std::error_code error;
   return std::filesystem::exists(PartOfProgram(kSimulationFile), error);

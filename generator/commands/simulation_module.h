@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
+#include "commands/rhythm_arguments.h"
 #include "simulation/module.h"
 
 namespace girdle {
@@ -16,6 +17,9 @@ void AddPluginArgument(CLI::App& verb, std::string& plugin);
 
 /// Returns `plugin`, or if it is empty the plugin that belongs to this program.
 [[nodiscard]] std::string ChosenPlugin(const std::string& plugin);
+
+/// Returns what the user said of the rhythm, and only that. Throws InputError for an unknown word.
+[[nodiscard]] RhythmOverride OverrideFrom(const RhythmArguments& arguments);
 
 /// Returns whether the library that runs MuJoCo was built with this program.
 [[nodiscard]] bool HasSimulation();

@@ -27,13 +27,14 @@ namespace {
 
 constexpr const char* kElevationColumn = "elevation_deg";
 constexpr const char* kPlaneColumn = "plane_deg";
+constexpr const char* kAxialColumn = "axial_deg";
 constexpr const char* kClampedColumn = "clamped";
 
 struct SolveArguments {
   RhythmArguments rhythm;
   std::optional<std::string> elevation_deg;
   std::optional<std::string> plane_deg;
-  std::string axial_deg = "0";
+  std::optional<std::string> axial_deg;
   std::string in;
   std::string out;
   bool json = false;
@@ -44,10 +45,10 @@ std::string AngleColumn(std::size_t coordinate) {
 }
 
 // One position of the arm as typed.
-struct PoseDegrees {
-  double elevation;
-  double plane;
-  double axial;
+struct TypedPose {
+  double elevation_deg;
+  double plane_deg;
+  double axial_deg;
 };
 
 double RequiredNumber(const std::string& option, const std::optional<std::string>& text) {
@@ -73,13 +74,13 @@ CellEdges EdgesOf(const RhythmTable& table, const RhythmCell& cell) {
           DegreesFromRadians(planes[cell.plane_index + 1])};
 }
 
-std::string PoseAsJson(const ShoulderRhythm& rhythm, const PoseDegrees& pose_deg,
+std::string PoseAsJson(const ShoulderRhythm& rhythm, const TypedPose& typed,
                        const ShoulderSolution& solution) {
   const CellEdges edges = EdgesOf(rhythm.table(), solution.cell);
   nlohmann::ordered_json json;
-  json[kElevationColumn] = pose_deg.elevation;
-  json[kPlaneColumn] = pose_deg.plane;
-  json["axial_deg"] = pose_deg.axial;
+  json[kElevationColumn] = typed.elevation_deg;
+  json[kPlaneColumn] = typed.plane_deg;
+  json[kAxialColumn] = typed.axial_deg;
   json["interpolation"] = Name(rhythm.options().interpolation);
   json["closure"] = Name(rhythm.options().closure);
   json["cell"] = {{"elevation_from_deg", edges.elevation_from_deg},
@@ -130,15 +131,15 @@ std::string PoseAsText(const ShoulderRhythm& rhythm, const ShoulderSolution& sol
 }
 
 void SolveOne(const SolveArguments& arguments) {
-  const PoseDegrees pose_deg = {RequiredNumber("--elevation", arguments.elevation_deg),
-                                RequiredNumber("--plane", arguments.plane_deg),
-                                NumberArgument("--axial", arguments.axial_deg)};
+  const TypedPose typed = {RequiredNumber("--elevation", arguments.elevation_deg),
+                           RequiredNumber("--plane", arguments.plane_deg),
+                           NumberArgument("--axial", arguments.axial_deg.value_or("0"))};
   const ShoulderRhythm rhythm = ChosenRhythm(arguments.rhythm);
   const ShoulderSolution solution =
-      rhythm.Solve({RadiansFromDegrees(pose_deg.elevation), RadiansFromDegrees(pose_deg.plane),
-                    RadiansFromDegrees(pose_deg.axial)});
+      rhythm.Solve({RadiansFromDegrees(typed.elevation_deg), RadiansFromDegrees(typed.plane_deg),
+                    RadiansFromDegrees(typed.axial_deg)});
   OutputFile out(arguments.out);
-  out.Write(arguments.json ? PoseAsJson(rhythm, pose_deg, solution) : PoseAsText(rhythm, solution));
+  out.Write(arguments.json ? PoseAsJson(rhythm, typed, solution) : PoseAsText(rhythm, solution));
   out.Commit();
 }
 
@@ -147,10 +148,16 @@ void SolveOne(const SolveArguments& arguments) {
 void SolveRows(std::istream& in, const std::string& name, std::uintmax_t bytes,
                const SolveArguments& arguments) {
   const ShoulderRhythm rhythm = ChosenRhythm(arguments.rhythm);
-  const double axial_rad = RadiansFromDegrees(NumberArgument("--axial", arguments.axial_deg));
+  const double axial_rad =
+      RadiansFromDegrees(NumberArgument("--axial", arguments.axial_deg.value_or("0")));
   CsvReader csv(in, name);
   const std::size_t elevation_column = csv.Column(kElevationColumn);
   const std::size_t plane_column = csv.Column(kPlaneColumn);
+  const bool has_axial = csv.HasColumn(kAxialColumn);
+  const std::size_t axial_column = has_axial ? csv.Column(kAxialColumn) : 0;
+  if (has_axial && arguments.axial_deg) {
+    csv.Fail("the column axial_deg and --axial exclude each other. Remove one");
+  }
 
   std::string text = csv.header_line();
   const auto append_column = [&csv, &text](const std::string& column) {
@@ -172,7 +179,8 @@ void SolveRows(std::istream& in, const std::string& name, std::uintmax_t bytes,
   while (csv.Next()) {
     const ShoulderSolution solution =
         rhythm.Solve({RadiansFromDegrees(csv.Number(elevation_column)),
-                      RadiansFromDegrees(csv.Number(plane_column)), axial_rad});
+                      RadiansFromDegrees(csv.Number(plane_column)),
+                      has_axial ? RadiansFromDegrees(csv.Number(axial_column)) : axial_rad});
     text += csv.line();
     for (const double angle_rad : AnglesFromPose(solution.pose)) {
       text += ',';
@@ -232,8 +240,10 @@ void AddSolveCommand(CLI::App& program) {
   verb->add_option("--axial", arguments->axial_deg,
                    "Turn about the humerus's long axis on top of the measured one")
       ->type_name("DEG");
-  verb->add_option("--in", arguments->in,
-                   "CSV with the columns elevation_deg and plane_deg; - for standard input")
+  verb->add_option(
+          "--in", arguments->in,
+          "CSV with the columns elevation_deg and plane_deg, optionally axial_deg; - for standard "
+          "input")
       ->type_name("FILE");
   verb->add_option("--out", arguments->out, "Where to write; - for standard output (default)")
       ->type_name("FILE");

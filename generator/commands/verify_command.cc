@@ -22,19 +22,6 @@ struct VerifyArguments {
   bool json = false;
 };
 
-RhythmOverride OverrideFrom(const RhythmArguments& arguments) {
-  const RhythmOptions options = ChosenOptions(arguments);
-  RhythmOverride rhythm;
-  if (!arguments.interpolation.empty()) {
-    rhythm.interpolation = options.interpolation;
-  }
-  if (!arguments.closure.empty()) {
-    rhythm.closure = options.closure;
-  }
-  rhythm.table_file = arguments.table;
-  return rhythm;
-}
-
 bool Verify(const VerifyArguments& arguments) {
   TerminalProgress progress("verifying");
   const VerifyResult result =
@@ -57,8 +44,8 @@ void AddVerifyCommand(CLI::App& program, int& status) {
   AddPluginArgument(*verb, arguments->plugin);
   verb->add_flag("--json", arguments->json, "The report as JSON");
   verb->footer(
-      "The model is held against the rhythm that it says it uses; --table, --interpolation and "
-      "--closure say otherwise.\n"
+      "The model is held against the rhythm that it says it uses. With --table, --interpolation or "
+      "--closure it is held\nagainst that instead, and fails if it was made with another.\n"
       "Exit status 1 if a residual is above its tolerance.\n"
       "Example:\n  girdle verify scene.xml");
   verb->callback([arguments, &status] { status = Verify(*arguments) ? 0 : 1; });

@@ -78,8 +78,9 @@ struct NamedPose {
   double elevation_deg;
   double plane_deg;
 };
+inline constexpr std::string_view kRestName = "rest";
 inline constexpr std::array<NamedPose, 6> kKeyframes = {{
-    {"rest", 0, 0},
+    {kRestName, 0, 0},
     {"abduction_30", 30, 0},
     {"abduction_60", 60, 0},
     {"abduction_90", 90, 0},

@@ -56,6 +56,11 @@ RhythmTable::RhythmTable(std::vector<double> planes_rad, std::vector<double> ele
     for (std::size_t k = 0; k < kCoordinateCount; ++k) {
       CheckAngle(i, kCoordinateNames[k], positions_[i].angles_rad[k]);
     }
+    if (positions_[i].scapulothoracic_rad.has_value() !=
+        positions_.front().scapulothoracic_rad.has_value()) {
+      throw std::invalid_argument("position " + std::to_string(i) +
+                                  ": all positions have scapulothoracic angles, or none has");
+    }
     if (positions_[i].scapulothoracic_rad) {
       for (int k = 0; k < 3; ++k) {
         CheckAngle(i, "scapulothoracic angle", (*positions_[i].scapulothoracic_rad)[k]);

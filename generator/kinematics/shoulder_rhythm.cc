@@ -150,14 +150,15 @@ double ShoulderRhythm::DistanceOutside(double elevation_rad, double plane_rad) c
 ShoulderSolution ShoulderRhythm::Solve(const ArmCommand& command) const noexcept {
   const std::vector<double>& planes = table_.planes_rad();
   const std::vector<double>& elevations = table_.elevations_rad();
-  const double elevation = Clamped(command.elevation_rad, elevations.front(), elevations.back());
-  const double plane = Clamped(command.plane_rad, planes.front(), planes.back());
+  const double elevation_rad =
+      Clamped(command.elevation_rad, elevations.front(), elevations.back());
+  const double plane_rad = Clamped(command.plane_rad, planes.front(), planes.back());
 
   RhythmCell cell{};
-  cell.elevation_index = IntervalIndex(elevations, elevation);
-  cell.plane_index = IntervalIndex(planes, plane);
-  cell.elevation_weight = IntervalWeight(elevations, cell.elevation_index, elevation);
-  cell.plane_weight = IntervalWeight(planes, cell.plane_index, plane);
+  cell.elevation_index = IntervalIndex(elevations, elevation_rad);
+  cell.plane_index = IntervalIndex(planes, plane_rad);
+  cell.elevation_weight = IntervalWeight(elevations, cell.elevation_index, elevation_rad);
+  cell.plane_weight = IntervalWeight(planes, cell.plane_index, plane_rad);
 
   const JointRotations rotations = RotationsIn(cell);
   ShoulderPose pose{rotations[0], rotations[1], rotations[2]};
@@ -167,7 +168,7 @@ ShoulderSolution ShoulderRhythm::Solve(const ArmCommand& command) const noexcept
     pose.q_SH = pose.q_SH * Quaternion{std::cos(half_rad), 0, std::sin(half_rad), 0};
   }
 
-  const bool clamped = elevation != command.elevation_rad || plane != command.plane_rad;
+  const bool clamped = elevation_rad != command.elevation_rad || plane_rad != command.plane_rad;
   return {pose, cell, clamped,
           clamped ? DistanceOutside(command.elevation_rad, command.plane_rad) : 0};
 }

@@ -20,9 +20,9 @@
 namespace girdle {
 namespace {
 
-// Height of the jugular notch of a standing adult: 0.82 of a stature of 1.7 m (Drillis and Contini
-// 1966).
-constexpr double kJugularNotchHeight_m = 1.4;
+// Height of the jugular notch of a standing adult, for the scene: share of the stature (Drillis and
+// Contini 1966) times an average stature [m].
+constexpr double kJugularNotchHeight_m = 0.82 * 1.71;
 constexpr double kTimestep_s = 0.002;
 // How far a user may push a joint off its target.
 constexpr double kTrimRange_rad = 30 * kRadiansPerDegree;
@@ -314,6 +314,13 @@ class ShoulderModelWriter {
                      table.elevations_rad().back());
       const double plane_rad = std::clamp(RadiansFromDegrees(pose.plane_deg),
                                           table.planes_rad().front(), table.planes_rad().back());
+      // Only rest is the nearest pose there is; the others are what their names say or are not
+      // there.
+      if (pose.name != kRestName &&
+          rhythm_.DistanceOutside(RadiansFromDegrees(pose.elevation_deg),
+                                  RadiansFromDegrees(pose.plane_deg)) > 0) {
+        continue;
+      }
       const JointAngles angles_rad = AnglesFromPose(rhythm_.Solve({elevation_rad, plane_rad}).pose);
       std::vector<double> controls;
       if (options_.actuation == Actuation::kPlugin) {

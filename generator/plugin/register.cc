@@ -60,7 +60,7 @@ void Destroy(mjData* data, int instance) noexcept {
 void Compute(const mjModel* model, mjData* data, int instance, int capability) noexcept {
   RhythmController& controller = *ControllerOf(data, instance);
   if ((capability & mjPLUGIN_ACTUATOR) != 0) {
-    controller.Actuate(*data);
+    controller.Actuate(*model, *data);
   }
   if ((capability & mjPLUGIN_SENSOR) != 0) {
     controller.Sense(*model, *data, instance);
@@ -107,7 +107,13 @@ void Register() {
   engine.register_plugin(&plugin);
 }
 
-mjPLUGIN_LIB_INIT(girdle_rhythm) { Register(); }
+mjPLUGIN_LIB_INIT(girdle_rhythm) {
+  try {
+    Register();
+  } catch (...) {
+    // Out of memory while the library is loaded: it stays unregistered, and MuJoCo says so.
+  }
+}
 
 }  // namespace
 }  // namespace girdle

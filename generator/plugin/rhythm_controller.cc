@@ -85,12 +85,19 @@ Quaternion BodyRotation(const mjData& data, int body) noexcept {
 
 }  // namespace
 
-double RhythmController::Control::Read(const mjData& data) const noexcept {
+double RhythmController::Control::Raw(const mjData& data) const noexcept {
   const mjtNum value = data.ctrl[address];
-  if (!std::isfinite(value)) {
-    return 0;
+  return std::isfinite(value) ? value : 0;
+}
+
+double RhythmController::Control::Read(const mjModel& model, const mjData& data) const noexcept {
+  const double value = Raw(data);
+  if (model.actuator_ctrllimited[address] == 0 ||
+      (model.opt.disableflags & mjDSBL_CLAMPCTRL) != 0) {
+    return value;
   }
-  return limited ? std::clamp(value, lower, upper) : value;
+  const mjtNum* range = model.actuator_ctrlrange + 2 * address;
+  return std::clamp(value, range[0], range[1]);
 }
 
 RhythmController::RhythmController(const mjModel& model, int instance, const RhythmConfig& config)
@@ -113,10 +120,7 @@ RhythmController::RhythmController(const mjModel& model, int instance, const Rhy
 void RhythmController::AddCommand(const mjModel& model, int actuator) {
   const std::size_t role =
       TakeRole(model, actuator, kCommandNames, has_command_, "command actuator (gear 0)");
-  const int address = model.actuator_ctrladr[actuator];
-  commands_[role] = {address, model.actuator_ctrllimited[address] != 0,
-                     model.actuator_ctrlrange[2 * address],
-                     model.actuator_ctrlrange[2 * address + 1]};
+  commands_[role] = {model.actuator_ctrladr[actuator]};
 }
 
 void RhythmController::AddServo(const mjModel& model, int actuator, const RhythmConfig& config) {
@@ -133,13 +137,10 @@ void RhythmController::AddServo(const mjModel& model, int actuator, const Rhythm
                              std::to_string(model.actuator_gear[6 * output]) +
                              ", expected 1 (or 0 for a command). Remove gear and set kp instead");
   }
-  const int control = model.actuator_ctrladr[actuator];
-  servos_[role] = {
-      model.jnt_qposadr[joint],
-      output,
-      {control, model.actuator_ctrllimited[control] != 0, model.actuator_ctrlrange[2 * control],
-       model.actuator_ctrlrange[2 * control + 1]},
-      config.stiffness_N_m_per_rad[role]};
+  servos_[role] = {model.jnt_qposadr[joint],
+                   output,
+                   {model.actuator_ctrladr[actuator]},
+                   config.stiffness_N_m_per_rad[role]};
   // The first hinge of SC turns the clavicle in the thorax, the last of GH the humerus.
   if (role == 0) {
     thorax_body_ = model.body_parentid[model.jnt_bodyid[joint]];
@@ -148,8 +149,9 @@ void RhythmController::AddServo(const mjModel& model, int actuator, const Rhythm
   }
 }
 
-ArmCommand RhythmController::ReadCommand(const mjData& data) const noexcept {
-  return {commands_[0].Read(data), commands_[1].Read(data), commands_[2].Read(data)};
+ArmCommand RhythmController::ReadCommand(const mjModel& model, const mjData& data) const noexcept {
+  return {commands_[0].Read(model, data), commands_[1].Read(model, data),
+          commands_[2].Read(model, data)};
 }
 
 const JointAngles& RhythmController::TargetsFor(const ArmCommand& command) noexcept {
@@ -162,17 +164,18 @@ const JointAngles& RhythmController::TargetsFor(const ArmCommand& command) noexc
   return solved_target_rad_;
 }
 
-void RhythmController::Actuate(mjData& data) noexcept {
-  const JointAngles& target_rad = TargetsFor(ReadCommand(data));
+void RhythmController::Actuate(const mjModel& model, mjData& data) noexcept {
+  const JointAngles& target_rad = TargetsFor(ReadCommand(model, data));
   for (std::size_t k = 0; k < kCoordinateCount; ++k) {
     const Servo& servo = servos_[k];
     data.actuator_force[servo.force_address] =
-        servo.stiffness * (target_rad[k] + servo.trim.Read(data) - data.qpos[servo.qpos_address]);
+        servo.stiffness_N_m_per_rad *
+        (target_rad[k] + servo.trim.Read(model, data) - data.qpos[servo.qpos_address]);
   }
 }
 
 void RhythmController::Sense(const mjModel& model, mjData& data, int instance) noexcept {
-  const ArmCommand command = ReadCommand(data);
+  const ArmCommand command = ReadCommand(model, data);
   const JointAngles& target_rad = TargetsFor(command);
   const Quaternion q_TH =
       glm::conjugate(BodyRotation(data, thorax_body_)) * BodyRotation(data, humerus_body_);
@@ -194,7 +197,7 @@ void RhythmController::Sense(const mjModel& model, mjData& data, int instance) n
       command.axial_rad - values[sensor_layout::kError + kGhAxialIndex];
   // Measured from the control itself: its range usually is the measured domain.
   values[sensor_layout::kDistance] =
-      rhythm_.DistanceOutside(data.ctrl[commands_[0].address], data.ctrl[commands_[1].address]);
+      rhythm_.DistanceOutside(commands_[0].Raw(data), commands_[1].Raw(data));
 
   for (int sensor = 0; sensor < model.nsensor; ++sensor) {
     if (model.sensor_type[sensor] == mjSENS_PLUGIN && model.sensor_plugin[sensor] == instance) {

@@ -14,8 +14,8 @@
 /// integrates it implicitly.
 ///
 /// An actuator's role is the name of kCommandNames or kCoordinateNames that stands last in its own
-/// name, so that `him_elevation_r` and `elevation_r` are the same. Nothing is kept between steps
-/// but what the configuration says.
+/// name, so that `him_elevation_r` and `elevation_r` are the same. No step depends on an
+/// earlier one.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -37,33 +37,32 @@ class RhythmController {
   RhythmController(const mjModel& model, int instance, const RhythmConfig& config);
 
   /// Writes the forces of the nine servos; the commands' stay 0.
-  void Actuate(mjData& data) noexcept;
+  void Actuate(const mjModel& model, mjData& data) noexcept;
 
   /// Writes the instance's sensors, see sensor_layout. Positions are those of `data`, forward
   /// kinematics done.
   void Sense(const mjModel& model, mjData& data, int instance) noexcept;
 
  private:
-  /// Control of an actuator, its range applied where the model gives one.
+  /// Control of an actuator [rad].
   struct Control {
     int address = 0;
-    bool limited = false;
-    mjtNum lower = 0;
-    mjtNum upper = 0;
 
-    /// A control that is not finite counts as 0.
-    [[nodiscard]] double Read(const mjData& data) const noexcept;
+    /// As the user set it; a control that is not finite counts as 0.
+    [[nodiscard]] double Raw(const mjData& data) const noexcept;
+    /// Within its range, where the model gives one and MuJoCo is to heed it.
+    [[nodiscard]] double Read(const mjModel& model, const mjData& data) const noexcept;
   };
   struct Servo {
     int qpos_address = 0;
     int force_address = 0;
     Control trim;
-    double stiffness = 0;
+    double stiffness_N_m_per_rad = 0;
   };
 
   void AddCommand(const mjModel& model, int actuator);
   void AddServo(const mjModel& model, int actuator, const RhythmConfig& config);
-  [[nodiscard]] ArmCommand ReadCommand(const mjData& data) const noexcept;
+  [[nodiscard]] ArmCommand ReadCommand(const mjModel& model, const mjData& data) const noexcept;
   /// Targets of the nine servos for a command.
   const JointAngles& TargetsFor(const ArmCommand& command) noexcept;
 

@@ -122,12 +122,15 @@ ModelPointer LoadModel(const ModelFiles& files) {
   std::array<char, kErrorSize> error{};
   mjVFS vfs;
   mj_defaultVFS(&vfs);
+  // Given back even where MuJoCo's error becomes an exception.
+  const std::unique_ptr<mjVFS, decltype(&mj_deleteVFS)> vfs_guard(&vfs, &mj_deleteVFS);
   for (const auto& [name, text] : files) {
-    mj_addBufferVFS(&vfs, name.c_str(), text.data(), static_cast<int>(text.size()));
+    if (mj_addBufferVFS(&vfs, name.c_str(), text.data(), static_cast<int>(text.size())) != 0) {
+      throw InputError(name + ": MuJoCo cannot take the file");
+    }
   }
   const std::string& name = files.front().first;
   ModelPointer model(mj_loadXML(name.c_str(), &vfs, error.data(), kErrorSize));
-  mj_deleteVFS(&vfs);
   ExpectLoaded(model, name, error.data());
   return model;
 }

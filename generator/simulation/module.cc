@@ -50,13 +50,50 @@ double LargestError_deg(const ShoulderState& state) {
   return DegreesFromRadians(largest_rad);
 }
 
+std::string ConfigText(const ShoulderSimulation& simulation, const char* key) {
+  const char* text = mj_getPluginConfig(&simulation.model(), simulation.elements().instance, key);
+  return text == nullptr ? "" : text;
+}
+
+// The rhythm that the model says it uses, with what the user says instead.
+ShoulderRhythm RhythmOf(const ShoulderSimulation& simulation, const RhythmOverride& override) {
+  const RhythmConfig config = ParseRhythmConfig(
+      {ConfigText(simulation, kInterpolationKey), ConfigText(simulation, kClosureKey),
+       ConfigText(simulation, kTableKey), ConfigText(simulation, kStiffnessKey)});
+  const RhythmOptions options = {
+      override.interpolation.value_or(config.rhythm.options().interpolation),
+      override.closure.value_or(config.rhythm.options().closure)};
+  return override.table_file.empty() ? ShoulderRhythm(config.rhythm.table(), options)
+                                     : ReadShoulderRhythm(override.table_file, options);
+}
+
+// Refuses a model that moves otherwise than the user says.
+void ExpectRhythm(const ShoulderSimulation& simulation, const RhythmOverride& override) {
+  const ShoulderRhythm own = RhythmOf(simulation, {});
+  const ShoulderRhythm wanted = RhythmOf(simulation, override);
+  const auto refuse = [&](const std::string& what) {
+    throw InputError(simulation.name() + ": the model uses another " + what +
+                     ". Make one that does with girdle generate and the same options");
+  };
+  if (own.options().interpolation != wanted.options().interpolation) {
+    refuse("interpolation than " + std::string(Name(wanted.options().interpolation)));
+  }
+  if (own.options().closure != wanted.options().closure) {
+    refuse("closure than " + std::string(Name(wanted.options().closure)));
+  }
+  if (RhythmTableToLine(own.table()) != RhythmTableToLine(wanted.table())) {
+    refuse("table than " + override.table_file);
+  }
+}
+
 SimulationSummary Simulate(const std::string& model_path, const std::string& plugin,
-                           const MotionRequest& request, const TextSink& trace,
-                           const ProgressSink& progress) {
+                           const MotionRequest& request, const RhythmOverride& rhythm,
+                           const TextSink& trace, const ProgressSink& progress) {
   const Motion motion = RequestedMotion(request);
   const EngineWatch watch;
   LoadPlugin(plugin);
   ShoulderSimulation simulation(LoadModel(model_path), model_path);
+  ExpectRhythm(simulation, rhythm);
   const auto steps = static_cast<long>(std::lround(motion.duration_s / simulation.timestep_s()));
   const auto command_at = [&](long step) {
     return ReplayableCommand(motion.command(static_cast<double>(step) * simulation.timestep_s()));
@@ -73,29 +110,13 @@ SimulationSummary Simulate(const std::string& model_path, const std::string& plu
     AppendTraceRow(row, state);
     trace(row);
     ++summary.rows;
+    summary.clamped_rows += state.clamped ? 1 : 0;
     summary.duration_s = state.time_s;
     summary.last_error_deg = LargestError_deg(state);
     summary.worst_error_deg = std::max(summary.worst_error_deg, summary.last_error_deg);
     progress(static_cast<double>(step) / static_cast<double>(std::max(steps, 1L)));
   }
   return summary;
-}
-
-std::string ConfigText(const ShoulderSimulation& simulation, const char* key) {
-  const char* text = mj_getPluginConfig(&simulation.model(), simulation.elements().instance, key);
-  return text == nullptr ? "" : text;
-}
-
-// The rhythm that the model says it uses, with what the user says instead.
-ShoulderRhythm RhythmOf(const ShoulderSimulation& simulation, const RhythmOverride& override) {
-  const RhythmConfig config = ParseRhythmConfig(
-      {ConfigText(simulation, kInterpolationKey), ConfigText(simulation, kClosureKey),
-       ConfigText(simulation, kTableKey), ConfigText(simulation, kStiffnessKey)});
-  const RhythmOptions options = {
-      override.interpolation.value_or(config.rhythm.options().interpolation),
-      override.closure.value_or(config.rhythm.options().closure)};
-  return override.table_file.empty() ? ShoulderRhythm(config.rhythm.table(), options)
-                                     : ReadShoulderRhythm(override.table_file, options);
 }
 
 VerifyResult Verify(const std::string& model_path, const std::string& plugin,

@@ -29,19 +29,21 @@ struct MotionRequest {
   std::string file;  ///< CSV; empty for the motion above
 };
 
-struct SimulationSummary {
-  std::size_t rows = 0;        ///< of the trace
-  double duration_s = 0;       ///< simulated
-  double worst_error_deg = 0;  ///< largest difference of a joint from its target
-  double last_error_deg = 0;   ///< the same in the last row
-};
-
-/// What `verify` holds a model against where the model itself does not say, or should not be
-/// believed.
+/// What the user says of the rhythm. `verify` holds a model against it instead of against what the
+/// model says; `simulate` refuses a model that says otherwise.
 struct RhythmOverride {
   std::optional<Interpolation> interpolation;
   std::optional<Closure> closure;
   std::string table_file;  ///< empty for the model's own
+};
+
+struct SimulationSummary {
+  std::size_t rows = 0;        ///< of the trace
+  double duration_s = 0;       ///< simulated
+  double worst_error_deg = 0;  ///< largest difference of a joint from its target
+  std::size_t clamped_rows =
+      0;  ///< in which the command lay outside the table or the controls' ranges
+  double last_error_deg = 0;  ///< the same in the last row
 };
 
 struct VerifyResult {
@@ -56,8 +58,8 @@ struct SimulationModule {
   std::string (*check_model)(const std::vector<std::pair<std::string, std::string>>& files,
                              const std::string& plugin);
   SimulationSummary (*simulate)(const std::string& model, const std::string& plugin,
-                                const MotionRequest& request, const TextSink& trace,
-                                const ProgressSink& progress);
+                                const MotionRequest& request, const RhythmOverride& rhythm,
+                                const TextSink& trace, const ProgressSink& progress);
   VerifyResult (*verify)(const std::string& model, const std::string& plugin,
                          const RhythmOverride& rhythm, bool json, const ProgressSink& progress);
 };

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <limits>
 #include <string_view>
 
 #include "kinematics/isb_frames.h"
@@ -23,6 +24,7 @@ constexpr double kMillimetersPerMeter = 1000;
 // degree or a millimeter is far above that and far below anything that can be measured.
 constexpr double kExact_deg = 1e-6;
 constexpr double kExact_mm = 1e-6;
+constexpr double kExactMass = 1e-9;  // kg and kg m^2
 // A servo that holds still must be as good as its own rounding; a tenth of a degree is a tenth of
 // what bone pins resolve.
 constexpr double kSettledTracking_deg = 0.1;
@@ -61,13 +63,11 @@ class Extreme {
     const double magnitude = std::abs(value);
     square_sum_ += value * value;
     ++count_;
-    // Written so that a NaN becomes the worst and stays it.
-    if (count_ == 1 || !(magnitude <= worst_)) {
-      if (!std::isnan(worst_)) {
-        worst_ = magnitude;
-        motion_ = motion;
-        command_ = command;
-      }
+    // A NaN becomes the worst and stays it.
+    if (count_ == 1 || magnitude > worst_ || (std::isnan(magnitude) && !std::isnan(worst_))) {
+      worst_ = magnitude;
+      motion_ = motion;
+      command_ = command;
     }
   }
 
@@ -85,7 +85,8 @@ class Extreme {
   }
 
  private:
-  double worst_ = 0;
+  // What was never measured does not pass.
+  double worst_ = std::numeric_limits<double>::quiet_NaN();
   double square_sum_ = 0;
   std::size_t count_ = 0;
   std::string motion_;
@@ -94,7 +95,7 @@ class Extreme {
 
 using JointExtremes = std::array<Extreme, kJointCount>;
 
-// Difference of two angles in (-pi, pi].
+// Difference of two angles in [-pi, pi].
 double AngleDifference(double a_rad, double b_rad) {
   return std::remainder(a_rad - b_rad, 2 * kPi);
 }
@@ -153,21 +154,28 @@ class ResidualMeter {
     const ShoulderElements& elements = simulation_.elements();
     for (int key = 0; key < model.nkey; ++key) {
       const mjtNum* controls = model.key_ctrl + key * model.nu;
-      const ArmCommand command{controls[elements.command_controls[0]],
-                               controls[elements.command_controls[1]],
-                               controls[elements.command_controls[2]]};
+      const char* name = model.names + model.name_keyadr[key];
+      ArmCommand command{controls[elements.command_controls[0]],
+                         controls[elements.command_controls[1]],
+                         controls[elements.command_controls[2]]};
+      // A keyframe that has a name of ours has to be what the name says.
+      for (const NamedPose& pose : kKeyframes) {
+        if (pose.name == name && pose.name != kRestName) {
+          command = {RadiansFromDegrees(pose.elevation_deg), RadiansFromDegrees(pose.plane_deg), 0};
+        }
+      }
       const JointAngles angles_rad = AnglesFromPose(rhythm_.Solve(command).pose);
       for (std::size_t k = 0; k < kCoordinateCount; ++k) {
         const double qpos_rad = model.key_qpos[key * model.nq + elements.qpos[k]];
-        keyframes_.Add(DegreesFromRadians(AngleDifference(qpos_rad, angles_rad[k])),
-                       model.names + model.name_keyadr[key], command);
+        keyframes_.Add(DegreesFromRadians(AngleDifference(qpos_rad, angles_rad[k])), name, command);
       }
     }
   }
 
   // The bones themselves: every landmark where the anatomy has it on its bone.
   void VisitBones() {
-    const ShoulderState state = simulation_.ObserveAtTargets({});
+    const ShoulderState state = simulation_.ObserveAtTargets(
+        {rhythm_.table().elevations_rad().front(), rhythm_.table().planes_rad().front(), 0});
     const std::array<Vector3, kSegmentCount> origins_m = {
         state.landmark_m(Landmark::kIJ), state.child_site_m(0), state.child_site_m(1),
         state.child_site_m(2)};
@@ -176,7 +184,23 @@ class ResidualMeter {
       const Vector3 on_bone_m =
           glm::conjugate(state.q_WB[segment]) * (state.site_m[i] - origins_m[segment]);
       bones_.Add(kMillimetersPerMeter * glm::distance(on_bone_m, anatomy_.landmarks_m[i]),
-                 kLandmarks[i].name, {});
+                 std::string(kLandmarks[i].name), state.command);
+    }
+    const mjModel& model = simulation_.model();
+    for (std::size_t i = 0; i < kSegmentCount; ++i) {
+      const int body = simulation_.elements().bodies[i];
+      const SegmentInertia& inertia = anatomy_.segments[i];
+      const std::string name(kSegmentNames[i]);
+      masses_.Add(model.body_mass[body] - inertia.mass_kg, name, state.command);
+      const mjtNum* center_m = model.body_ipos + 3 * body;
+      centers_.Add(
+          kMillimetersPerMeter * glm::distance(Vector3(center_m[0], center_m[1], center_m[2]),
+                                               inertia.center_of_mass_m),
+          name, state.command);
+      const mjtNum* moments_kg_m2 = model.body_inertia + 3 * body;
+      inertias_.Add(glm::distance(Vector3(moments_kg_m2[0], moments_kg_m2[1], moments_kg_m2[2]),
+                                  inertia.inertia_kg_m2),
+                    name, state.command);
     }
   }
 
@@ -191,6 +215,9 @@ class ResidualMeter {
     };
     add_joints("joint constraint", gaps_, "mm", kExact_mm);
     lines.push_back(bones_.Worst("bones", "landmarks", "mm", kExact_mm));
+    lines.push_back(masses_.Worst("bones", "masses", "kg", kExactMass));
+    lines.push_back(centers_.Worst("bones", "centres of mass", "mm", kExact_mm));
+    lines.push_back(inertias_.Worst("bones", "moments of inertia", "kg m^2", kExactMass));
     add_joints("kinematic consistency", body_rotations_, "deg", kExact_deg);
     lines.push_back(
         clavicle_axis_.Worst("kinematic consistency", "clavicle landmarks", "deg", kExact_deg));
@@ -211,6 +238,8 @@ class ResidualMeter {
         closure_elevation_.Worst("closure", "elevation reached - commanded", "deg", std::nullopt));
     lines.push_back(
         closure_plane_.Worst("closure", "plane, from elevation 30", "deg", std::nullopt));
+    lines.push_back(
+        closure_low_plane_.Worst("closure", "plane, below elevation 30", "deg", std::nullopt));
     if (!scapulothoracic_.empty()) {
       lines.push_back(scapulothoracic_.RootMeanSquare("scapulothoracic", "published ST, rms", "deg",
                                                       kScapulothoracicRms_deg));
@@ -300,10 +329,9 @@ class ResidualMeter {
                            motion, command);
     closure_elevation_.Add(DegreesFromRadians(reached.elevation_rad - command.elevation_rad),
                            motion, command);
-    if (command.elevation_rad >= kLowestPlaneElevation_rad) {
-      closure_plane_.Add(DegreesFromRadians(AngleDifference(reached.plane_rad, command.plane_rad)),
-                         motion, command);
-    }
+    (command.elevation_rad >= kLowestPlaneElevation_rad ? closure_plane_ : closure_low_plane_)
+        .Add(DegreesFromRadians(AngleDifference(reached.plane_rad, command.plane_rad)), motion,
+             command);
   }
 
   void AddScapulothoracic(const ShoulderState& state, const RhythmPosition& position,
@@ -311,11 +339,11 @@ class ResidualMeter {
     if (!position.scapulothoracic_rad) {
       return;
     }
-    const Quaternion published =
+    const Quaternion published_q_TS =
         QuaternionFromEuler(EulerSequence::kYXZ, *position.scapulothoracic_rad);
-    const Quaternion simulated =
+    const Quaternion q_TS =
         glm::conjugate(state.rotation(Segment::kThorax)) * state.rotation(Segment::kScapula);
-    scapulothoracic_.Add(DegreesFromRadians(AngleBetween(simulated, published)), "table", command);
+    scapulothoracic_.Add(DegreesFromRadians(AngleBetween(q_TS, published_q_TS)), "table", command);
   }
 
   void AddGliding(const ShoulderState& state, std::string_view motion) {
@@ -332,6 +360,9 @@ class ResidualMeter {
   const Anatomy& anatomy_;
   JointExtremes gaps_;
   Extreme bones_;
+  Extreme masses_;
+  Extreme centers_;
+  Extreme inertias_;
   JointExtremes body_rotations_;
   Extreme clavicle_axis_;
   Extreme scapula_frame_;
@@ -343,6 +374,7 @@ class ResidualMeter {
   Extreme closure_plane_own_;
   Extreme closure_elevation_;
   Extreme closure_plane_;
+  Extreme closure_low_plane_;
   Extreme scapulothoracic_;
   Extreme gliding_;
 };

@@ -12,6 +12,11 @@
 namespace girdle {
 namespace {
 
+// The servos' fastest bones turn with about 300 rad/s at their stiffness; ten steps a radian would
+// be fine, one is not enough. Below the shortest, a motion of some seconds never ends.
+constexpr double kLongestTimestep_s = 0.01;
+constexpr double kShortestTimestep_s = 1e-6;
+
 int FindInstance(const mjModel& model, const std::string& model_name) {
   int slot = -1;
   mjp_getPlugin(kPluginName, &slot);
@@ -75,7 +80,13 @@ ShoulderSimulation::ShoulderSimulation(ModelPointer model, std::string name)
     : name_(std::move(name)),
       model_(std::move(model)),
       data_(MakeData(*model_)),
-      elements_(FindShoulder(*model_, name_)) {}
+      elements_(FindShoulder(*model_, name_)) {
+  if (!(timestep_s() >= kShortestTimestep_s && timestep_s() <= kLongestTimestep_s)) {
+    throw InputError(name_ + ": the time step is " + NumberText(timestep_s()) + " s, expected " +
+                     NumberText(kShortestTimestep_s) + " to " + NumberText(kLongestTimestep_s) +
+                     ". Set <option timestep=\"0.002\"/>");
+  }
+}
 
 void ShoulderSimulation::SetCommand(const ArmCommand& command) {
   data_->ctrl[elements_.command_controls[0]] = command.elevation_rad;
@@ -99,6 +110,11 @@ ShoulderState ShoulderSimulation::Derived(double time_s, const ArmCommand& comma
   state.position_rad = position_rad;
   std::copy_n(data_->sensordata + elements_.sensor + sensor_layout::kTarget, kCoordinateCount,
               state.target_rad.begin());
+  const mjtNum* sensor = data_->sensordata + elements_.sensor;
+  state.clamped = sensor[sensor_layout::kDistance] > 0 ||
+                  sensor[sensor_layout::kCommanded] != command.elevation_rad ||
+                  sensor[sensor_layout::kCommanded + 1] != command.plane_rad ||
+                  sensor[sensor_layout::kCommanded + 2] != command.axial_rad;
   for (std::size_t i = 0; i < kSegmentCount; ++i) {
     const mjtNum* q = data_->xquat + 4 * elements_.bodies[i];
     state.q_WB[i] = {q[0], q[1], q[2], q[3]};

@@ -43,6 +43,8 @@ struct ShoulderState {
   ArmCommand command;
   JointAngles target_rad{};  ///< what the plugin aims at
   JointAngles position_rad{};
+  /// The plugin used another command: the nearest within the controls' ranges and the table.
+  bool clamped = false;
   std::array<Quaternion, kSegmentCount>
       q_WB{};                                ///< thorax, clavicle, scapula, humerus in the world
   std::array<Vector3, kSiteCount> site_m{};  ///< in the world
@@ -62,7 +64,8 @@ struct ShoulderState {
 /// A model with its plugin, ready to step. Throws InputError where MuJoCo warns.
 class ShoulderSimulation {
  public:
-  /// `name` stands in messages for the model.
+  /// `name` stands in messages for the model. Throws InputError if it lacks an element of the
+  /// shoulder or steps too coarsely for the servos.
   ShoulderSimulation(ModelPointer model, std::string name);
 
   /// Puts the arm at rest where a command asks for it.

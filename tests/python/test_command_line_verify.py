@@ -110,7 +110,7 @@ def test_the_text_has_the_lines_of_the_json(girdle_fine: Girdle, generated: Path
     answer = json.loads(girdle_fine("verify", scene, "--json").text)
     text = girdle_fine("verify", scene).text
     for r in answer["residuals"]:
-        line = rf"^{re.escape(r['group'])} +{re.escape(r['item'])} .* {r['unit']} "
+        line = rf"^{re.escape(r['group'])} +{re.escape(r['item'])} .* {re.escape(r['unit'])} "
         assert len(re.findall(line, text, re.MULTILINE)) == 1, line
     assert text.endswith("\nall residuals within their tolerances\n")
 

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 import shlex
 import subprocess
@@ -16,10 +17,10 @@ ROOT = Path(__file__).resolve().parents[2]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 
 
-def block(language: str) -> str:
+def blocks(language: str) -> list[str]:
     found = re.findall(rf"```{language}\n(.*?)```", README, flags=re.DOTALL)
     assert found, f"the README has no {language}"
-    return str(found[0])
+    return found
 
 
 def run(*command: str | Path, folder: Path) -> str:
@@ -42,21 +43,30 @@ def checkout(tmp_path: Path, program: Path, plugin_library: Path) -> Path:
     return tmp_path
 
 
+def numbers(text: str) -> list[float]:
+    return [float(number) for number in re.findall(r"-?\d+\.\d+", text)]
+
+
 def test_the_python_of_the_readme_raises_the_arm(checkout: Path) -> None:
-    printed = run(sys.executable, "-c", block("python"), folder=checkout)
-    upward_rotation, elevation, plane = map(float, re.findall(r"-?\d+\.\d+", printed))
+    upward_rotation, elevation, plane = numbers(
+        run(sys.executable, "-c", blocks("python")[0], folder=checkout)
+    )
     assert upward_rotation < -0.2  # upward rotation is negative
     assert elevation == pytest.approx(1.57, abs=0.03)  # the table's own arm is up to 1.7 deg off
     assert plane == pytest.approx(0.70, abs=0.06)
 
 
+def test_the_python_of_the_readme_attaches_the_shoulder(checkout: Path) -> None:
+    elevation, plane = numbers(run(sys.executable, "-c", blocks("python")[1], folder=checkout))
+    assert elevation == pytest.approx(1.57, abs=0.03)
+    assert plane == pytest.approx(10 * math.pi / 180, abs=0.03)  # the table's own at 90 in plane 0
+
+
 def test_the_c_plus_plus_of_the_readme_raises_the_arm(checkout: Path) -> None:
-    (checkout / "arm.cc").write_text(block("cpp"), encoding="utf-8")
-    build = next(text for text in re.findall(r"```sh\n(.*?)```", README, re.DOTALL) if "g++" in text)
+    (checkout / "arm.cc").write_text(blocks("cpp")[0], encoding="utf-8")
+    build = next(text for text in blocks("sh") if "g++" in text)
     run("bash", "-ec", build, folder=checkout)
-    assert re.fullmatch(
-        r"-0\.2\d+ rad of upward rotation\n", run(checkout / "arm", folder=checkout)
-    )
+    assert re.fullmatch(r"-0\.2\d+ rad\n", run(checkout / "arm", folder=checkout))
 
 
 def readme_commands() -> list[str]:

@@ -146,7 +146,7 @@ TEST_F(PluginTest, TransitionDerivativesAreThoseOfWholeStepsForAllControls) {
     Randomise(random);
     mj_forward(model_.get(), data_.get());
     std::vector<mjtNum> B(2 * kPositions * kControls);
-    mjd_transitionFD(model_.get(), data_.get(), 1e-6, 1, nullptr, B.data(), nullptr, nullptr);
+    mjd_transitionFD(model_.get(), data_.get(), 1e-6, true, nullptr, B.data(), nullptr, nullptr);
     for (int control = 0; control < kControls; ++control) {
       const std::vector<double> expected = StepDifference(*model_, *data_, control);
       double largest = 0;
@@ -168,7 +168,7 @@ TEST_F(PluginTest, SensorDerivativesAreThoseOfTheTargets) {
   Randomise(random);
   mj_forward(model_.get(), data_.get());
   std::vector<mjtNum> D(model_->nsensordata * kControls);
-  mjd_transitionFD(model_.get(), data_.get(), 1e-6, 1, nullptr, nullptr, nullptr, D.data());
+  mjd_transitionFD(model_.get(), data_.get(), 1e-6, true, nullptr, nullptr, nullptr, D.data());
   constexpr double kNudge = 1e-5;
   const auto targets = [&](double elevation_rad) {
     return AnglesFromPose(rhythm.Solve({elevation_rad, data_->ctrl[1], data_->ctrl[2]}).pose);
@@ -221,17 +221,40 @@ TEST_F(PluginTest, CommandsOutsideTheTableAreClampedAndTheirDistanceIsReported) 
   EXPECT_NEAR(data_->sensordata[sensor_layout::kDistance], RadiansFromDegrees(5), 1e-12);
 }
 
-TEST_F(PluginTest, ControlsThatAreNoNumbersNeverBecomeForces) {
-  for (int control = 0; control < kControls; ++control) {
-    mj_resetData(model_.get(), data_.get());
-    data_->ctrl[control] = std::numeric_limits<double>::quiet_NaN();
-    mj_forward(model_.get(), data_.get());
-    for (std::size_t k = 0; k < kCoordinateCount; ++k) {
-      EXPECT_TRUE(std::isfinite(forces()[k])) << "control " << control << ", force " << k;
+TEST_F(PluginTest, ControlsThatAreNotFiniteCountAsZero) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  mj_forward(model_.get(), data_.get());
+  const std::vector<mjtNum> zero_forces(forces(), forces() + kCoordinateCount);
+  const std::vector<mjtNum> zero_sensor(data_->sensordata, data_->sensordata + model_->nsensordata);
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), kInfinity, -kInfinity}) {
+    for (int control = 0; control < kControls; ++control) {
+      mj_resetData(model_.get(), data_.get());
+      data_->ctrl[control] = bad;
+      mj_forward(model_.get(), data_.get());
+      EXPECT_EQ(std::vector(forces(), forces() + kCoordinateCount), zero_forces)
+          << bad << " in control " << control;
+      EXPECT_EQ(std::vector(data_->sensordata, data_->sensordata + model_->nsensordata),
+                zero_sensor)
+          << bad << " in control " << control;
     }
-    // MuJoCo itself complains of the control, and is meant to.
-    EXPECT_THROW(EngineWatch::ExpectNoWarning("a control that is not a number"), InputError);
   }
+  // MuJoCo itself complains of such controls, and is meant to.
+  EXPECT_THROW(EngineWatch::ExpectNoWarning("controls that are not finite"), InputError);
+}
+
+TEST_F(PluginTest, HeedsControlRangesAsTheModelHasThemNow) {
+  data_->ctrl[kCommandCount] = 5;  // a trim far beyond its range
+  mj_forward(model_.get(), data_.get());
+  const double limited = forces()[0];
+  model_->opt.disableflags |= mjDSBL_CLAMPCTRL;
+  mj_forward(model_.get(), data_.get());
+  const double stiffness = kJointDynamics[0].stiffness_N_m_per_rad;
+  EXPECT_NEAR(forces()[0] - limited,
+              stiffness * (5 - model_->actuator_ctrlrange[2 * kCommandCount + 1]), 1e-9);
+  model_->opt.disableflags = 0;
+  model_->actuator_ctrllimited[kCommandCount] = false;
+  mj_forward(model_.get(), data_.get());
+  EXPECT_NEAR(forces()[0], stiffness * 5, 1e-9);
 }
 
 TEST_F(PluginTest, TwoStatesOfOneModelDoNotDisturbEachOther) {
@@ -383,15 +406,20 @@ INSTANTIATE_TEST_SUITE_P(
                  "<motor name=\"elevation_r\" joint=\"gh_axial_r\" gear=\"0\"",
                  "no command actuator for elevation. Add <plugin name=\"elevation_r\""},
         BadModel{"TwoElevationCommands", "<plugin name=\"plane_r\"",
-                 "<plugin name=\"second_elevation_r\"",
+                 "<plugin name=\"second_elevation_r\" joint=\"gh_axial_r\" instance=\"rhythm_r\" "
+                 "gear=\"0\"/><plugin name=\"plane_r\"",
                  "is a second command actuator (gear 0) for elevation. Remove one"},
         BadModel{"NoServoForAHinge",
                  "<plugin name=\"ac_tilt_r\" joint=\"ac_tilt_r\" instance=\"rhythm_r\"",
                  "<motor name=\"ac_tilt_r\" joint=\"ac_tilt_r\"",
                  "no servo for ac_tilt. Add <plugin name=\"ac_tilt_r\""},
         BadModel{"TwoServosForAHinge", "<plugin name=\"ac_tilt_r\"",
-                 "<plugin name=\"second_gh_axial_r\"", "is a second servo for gh_axial"},
-        BadModel{"UnknownServo", "<plugin name=\"ac_tilt_r\"", "<plugin name=\"knee\"",
+                 "<plugin name=\"second_gh_axial_r\" joint=\"gh_axial_r\" instance=\"rhythm_r\"/>"
+                 "<plugin name=\"ac_tilt_r\"",
+                 "is a second servo for gh_axial"},
+        BadModel{"UnknownServo", "<plugin name=\"ac_tilt_r\"",
+                 "<plugin name=\"knee\" joint=\"ac_tilt_r\" instance=\"rhythm_r\"/>"
+                 "<plugin name=\"ac_tilt_r\"",
                  "actuator \"knee\" is a servo, but its name has none of:"},
         BadModel{"ServoWithGear", "joint=\"ac_tilt_r\" instance=\"rhythm_r\"",
                  "joint=\"ac_tilt_r\" gear=\"2\" instance=\"rhythm_r\"",
