@@ -102,29 +102,32 @@ double RhythmController::Control::Read(const mjModel& model, const mjData& data)
 
 RhythmController::RhythmController(const mjModel& model, int instance, const RhythmConfig& config)
     : rhythm_(config.rhythm) {
+  std::array<bool, kCommandCount> has_command{};
+  std::array<bool, kCoordinateCount> has_servo{};
   for (int actuator = 0; actuator < model.nactuator; ++actuator) {
     if (model.actuator_plugin[actuator] != instance) {
       continue;
     }
     if (IsCommand(model, actuator)) {
-      AddCommand(model, actuator);
+      AddCommand(
+          model, actuator,
+          TakeRole(model, actuator, kCommandNames, has_command, "command actuator (gear 0)"));
     } else {
-      AddServo(model, actuator, config);
+      AddServo(model, actuator, TakeRole(model, actuator, kCoordinateNames, has_servo, "servo"),
+               config);
     }
   }
-  CheckAllTaken(kCommandNames, has_command_, "command actuator", "joint=\"...\" gear=\"0\"");
-  CheckAllTaken(kCoordinateNames, has_servo_, "servo", "joint=\"...\"");
+  CheckAllTaken(kCommandNames, has_command, "command actuator", "joint=\"...\" gear=\"0\"");
+  CheckAllTaken(kCoordinateNames, has_servo, "servo", "joint=\"...\"");
   solved_target_rad_ = AnglesFromPose(rhythm_.Solve(solved_command_).pose);
 }
 
-void RhythmController::AddCommand(const mjModel& model, int actuator) {
-  const std::size_t role =
-      TakeRole(model, actuator, kCommandNames, has_command_, "command actuator (gear 0)");
+void RhythmController::AddCommand(const mjModel& model, int actuator, std::size_t role) {
   commands_[role] = {model.actuator_ctrladr[actuator]};
 }
 
-void RhythmController::AddServo(const mjModel& model, int actuator, const RhythmConfig& config) {
-  const std::size_t role = TakeRole(model, actuator, kCoordinateNames, has_servo_, "servo");
+void RhythmController::AddServo(const mjModel& model, int actuator, std::size_t role,
+                                const RhythmConfig& config) {
   const int joint = model.actuator_trnid[2 * actuator];
   if (model.actuator_trntype[actuator] != mjTRN_JOINT || model.jnt_type[joint] != mjJNT_HINGE) {
     throw std::runtime_error(ActuatorName(model, actuator) +

@@ -60,8 +60,8 @@ class RhythmController {
     double stiffness_N_m_per_rad = 0;
   };
 
-  void AddCommand(const mjModel& model, int actuator);
-  void AddServo(const mjModel& model, int actuator, const RhythmConfig& config);
+  void AddCommand(const mjModel& model, int actuator, std::size_t role);
+  void AddServo(const mjModel& model, int actuator, std::size_t role, const RhythmConfig& config);
   [[nodiscard]] ArmCommand ReadCommand(const mjModel& model, const mjData& data) const noexcept;
   /// Targets of the nine servos for a command.
   const JointAngles& TargetsFor(const ArmCommand& command) noexcept;
@@ -69,8 +69,6 @@ class RhythmController {
   ShoulderRhythm rhythm_;
   std::array<Control, kCommandCount> commands_{};
   std::array<Servo, kCoordinateCount> servos_{};
-  std::array<bool, kCommandCount> has_command_{};
-  std::array<bool, kCoordinateCount> has_servo_{};
   int thorax_body_ = 0;
   int humerus_body_ = 0;
 

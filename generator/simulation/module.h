@@ -41,9 +41,9 @@ struct SimulationSummary {
   std::size_t rows = 0;        ///< of the trace
   double duration_s = 0;       ///< simulated
   double worst_error_deg = 0;  ///< largest difference of a joint from its target
-  std::size_t clamped_rows =
-      0;  ///< in which the command lay outside the table or the controls' ranges
-  double last_error_deg = 0;  ///< the same in the last row
+  double last_error_deg = 0;   ///< the same in the last row
+  /// In which the command lay outside the table or the controls' ranges.
+  std::size_t clamped_rows = 0;
 };
 
 struct VerifyResult {

@@ -118,7 +118,7 @@ class ResidualMeter {
                 const Anatomy& anatomy)
       : simulation_(simulation), rhythm_(rhythm), anatomy_(anatomy) {}
 
-  void RunMotion(const Motion& motion, const Progress& progress) {
+  void RunMotion(const Motion& motion, const ProgressSink& progress) {
     const double timestep_s = simulation_.timestep_s();
     const auto moving_steps = static_cast<int>(std::lround(motion.duration_s / timestep_s));
     const auto settling_steps = static_cast<int>(std::lround(kSettling_s / timestep_s));
@@ -401,7 +401,7 @@ bool ResidualReport::passed() const noexcept {
 }
 
 ResidualReport MeasureResiduals(ShoulderSimulation& simulation, const ShoulderRhythm& rhythm,
-                                const Anatomy& anatomy, const Progress& progress) {
+                                const Anatomy& anatomy, const ProgressSink& progress) {
   ResidualMeter meter(simulation, rhythm, anatomy);
   const std::vector<Motion> motions = StandardMotions(rhythm.table());
   for (std::size_t i = 0; i < motions.size(); ++i) {

@@ -8,12 +8,12 @@
 /// angles, the other side never sees one.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "kinematics/shoulder_rhythm.h"
+#include "simulation/module.h"
 #include "simulation/shoulder_simulation.h"
 #include "tables/anatomy.h"
 
@@ -42,15 +42,12 @@ struct ResidualReport {
   [[nodiscard]] bool passed() const noexcept;
 };
 
-/// Told how much is done, 0 to 1.
-using Progress = std::function<void(double)>;
-
 /// Runs the standard motions (abduction, scapular plane, flexion, protraction at 90) and visits
 /// every position of the rhythm's table, and returns the report. Throws InputError where MuJoCo
 /// warns.
 [[nodiscard]] ResidualReport MeasureResiduals(ShoulderSimulation& simulation,
                                               const ShoulderRhythm& rhythm, const Anatomy& anatomy,
-                                              const Progress& progress);
+                                              const ProgressSink& progress);
 
 /// Returns the signed distance [m] of a point from an ellipsoid's surface, positive outside.
 [[nodiscard]] double DistanceFromEllipsoid(const Ellipsoid& ellipsoid, const Vector3& point_m);

@@ -12,8 +12,8 @@
 namespace girdle {
 namespace {
 
-// The servos' fastest bones turn with about 300 rad/s at their stiffness; ten steps a radian would
-// be fine, one is not enough. Below the shortest, a motion of some seconds never ends.
+// Longer steps are too few for the motions that are measured; with shorter ones a motion of some
+// seconds never ends.
 constexpr double kLongestTimestep_s = 0.01;
 constexpr double kShortestTimestep_s = 1e-6;
 
@@ -108,9 +108,8 @@ ShoulderState ShoulderSimulation::Derived(double time_s, const ArmCommand& comma
   state.time_s = time_s;
   state.command = command;
   state.position_rad = position_rad;
-  std::copy_n(data_->sensordata + elements_.sensor + sensor_layout::kTarget, kCoordinateCount,
-              state.target_rad.begin());
   const mjtNum* sensor = data_->sensordata + elements_.sensor;
+  std::copy_n(sensor + sensor_layout::kTarget, kCoordinateCount, state.target_rad.begin());
   state.clamped = sensor[sensor_layout::kDistance] > 0 ||
                   sensor[sensor_layout::kCommanded] != command.elevation_rad ||
                   sensor[sensor_layout::kCommanded + 1] != command.plane_rad ||
