@@ -3,6 +3,7 @@
 
 #include "kinematics/rhythm_table.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -38,6 +39,23 @@ void CheckAngle(std::size_t position, std::string_view name, double angle_rad) {
   }
 }
 
+// Index i with knot_i < value <= knot_i+1, equations (6) and (7); the lowest knot belongs to the
+// first interval. Precondition: value lies within the knots.
+std::size_t IntervalIndex(const std::vector<double>& knots, double value) noexcept {
+  const auto upper = std::lower_bound(knots.begin() + 1, knots.end() - 1, value);
+  return static_cast<std::size_t>(upper - knots.begin()) - 1;
+}
+
+// Place within interval i, equations (8) and (9).
+double IntervalWeight(const std::vector<double>& knots, std::size_t i, double value) noexcept {
+  return (value - knots[i]) / (knots[i + 1] - knots[i]);
+}
+
+// Nearest value of [lower, upper]; a NaN gives `lower`.
+double Clamped(double value, double lower, double upper) noexcept {
+  return value > lower ? std::min(value, upper) : lower;
+}
+
 }  // namespace
 
 RhythmTable::RhythmTable(std::vector<double> planes_rad, std::vector<double> elevations_rad,
@@ -67,6 +85,15 @@ RhythmTable::RhythmTable(std::vector<double> planes_rad, std::vector<double> ele
       }
     }
   }
+}
+
+RhythmCell RhythmTable::CellAt(double elevation_rad, double plane_rad) const noexcept {
+  const double elevation = Clamped(elevation_rad, elevations_rad_.front(), elevations_rad_.back());
+  const double plane = Clamped(plane_rad, planes_rad_.front(), planes_rad_.back());
+  const std::size_t i = IntervalIndex(elevations_rad_, elevation);
+  const std::size_t j = IntervalIndex(planes_rad_, plane);
+  return {i, j, IntervalWeight(elevations_rad_, i, elevation),
+          IntervalWeight(planes_rad_, j, plane)};
 }
 
 }  // namespace girdle

@@ -21,6 +21,14 @@ struct RhythmPosition {
   std::optional<Vector3> scapulothoracic_rad;
 };
 
+/// Cell of the grid and a place within it.
+struct RhythmCell {
+  std::size_t elevation_index;  ///< i of equation (6): the cell lies between knots i and i + 1
+  std::size_t plane_index;      ///< j of equation (7)
+  double elevation_weight;      ///< t_theta of equation (8), [0, 1]
+  double plane_weight;          ///< t_psi of equation (9), [0, 1]
+};
+
 /// Complete grid of measured positions over plane of elevation and humeral elevation.
 ///
 /// Knots are strictly increasing, at least two in each direction; every value is finite and every
@@ -42,6 +50,11 @@ class RhythmTable {
                                                std::size_t elevation) const noexcept {
     return positions_[plane * elevations_rad_.size() + elevation];
   }
+
+  /// Returns the cell with theta_i < elevation <= theta_i+1 and psi_j < plane <= psi_j+1 (the
+  /// lowest edges belong to the first cells) and the place within it; outside the grid those of its
+  /// nearest point, a NaN counting as the lowest.
+  [[nodiscard]] RhythmCell CellAt(double elevation_rad, double plane_rad) const noexcept;
 
  private:
   std::vector<double> planes_rad_;

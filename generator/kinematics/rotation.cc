@@ -7,6 +7,8 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include "kinematics/euler_angles.h"
+
 namespace girdle {
 namespace {
 
@@ -18,14 +20,6 @@ Quaternion AboutY(double angle_rad) noexcept {
 }
 Quaternion AboutZ(double angle_rad) noexcept {
   return {std::cos(angle_rad / 2), 0, 0, std::sin(angle_rad / 2)};
-}
-
-// The same angle in (-pi, pi]; `angle_rad` is within two turns.
-double WithinHalfTurn(double angle_rad) noexcept {
-  if (angle_rad > kPi) {
-    return angle_rad - 2 * kPi;
-  }
-  return angle_rad <= -kPi ? angle_rad + 2 * kPi : angle_rad;
 }
 
 double Length(double x, double y) noexcept { return std::sqrt(x * x + y * y); }
@@ -44,35 +38,19 @@ Quaternion QuaternionFromEuler(EulerSequence sequence, const Vector3& angles_rad
   return AboutY(angles_rad.x) * AboutX(angles_rad.y) * AboutY(angles_rad.z);
 }
 
-// Bernardes and Viollet, Quaternion to Euler angles conversion, PLoS ONE 2022;17:e0276302. With (a,
-// b, c) the angles in turning order, the half sum and half difference of a and c stand by
-// themselves in
-//   Ry(a) Rx(b) Ry(c) = (cos(b/2) cos((a+c)/2), sin(b/2) cos((a-c)/2), cos(b/2) sin((a+c)/2),
-//                        -sin(b/2) sin((a-c)/2))
-// and, for three different axes 1, 2, 3 in cyclic order 3, 2, 1 of a quaternion (w, q_1, q_2, q_3),
-// in
-//   w - q_2 : q_3 + q_1 = cos : sin of (a+c)/2,    q_2 + w : q_1 - q_3 = cos : sin of (a-c)/2.
-// Where one of them is lost (gimbal lock) the other still gives the rotation.
+// Ry(a) Rx(b) Ry(c) = (cos(b/2) cos((a+c)/2), sin(b/2) cos((a-c)/2), cos(b/2) sin((a+c)/2),
+//                      -sin(b/2) sin((a-c)/2)); the other sequences are in euler_angles.h.
 Vector3 EulerFromQuaternion(EulerSequence sequence, const Quaternion& q_AB_any_sign) noexcept {
   const Quaternion q_AB = q_AB_any_sign.w < 0 ? -q_AB_any_sign : q_AB_any_sign;
-  const auto different_axes = [](double w, double q_1, double q_2, double q_3) {
-    const double sum_cosine = w - q_2;
-    const double sum_sine = q_3 + q_1;
-    const double difference_cosine = q_2 + w;
-    const double difference_sine = q_1 - q_3;
-    const double half_sum = std::atan2(sum_sine, sum_cosine);
-    const double half_difference = std::atan2(difference_sine, difference_cosine);
-    return Vector3(
-        WithinHalfTurn(half_sum + half_difference),
-        2 * std::atan2(Length(difference_sine, difference_cosine), Length(sum_sine, sum_cosine)) -
-            kPi / 2,
-        WithinHalfTurn(half_sum - half_difference));
+  const auto different_axes = [&q_AB](double q_1, double q_2, double q_3) {
+    const VectorOf<double> angles_rad = EulerAngles(q_AB.w, q_1, q_2, q_3);
+    return Vector3(angles_rad[0], angles_rad[1], angles_rad[2]);
   };
   switch (sequence) {
     case EulerSequence::kYXZ:
-      return different_axes(q_AB.w, q_AB.y, q_AB.x, q_AB.z);
+      return different_axes(q_AB.y, q_AB.x, q_AB.z);
     case EulerSequence::kXZY:
-      return different_axes(q_AB.w, q_AB.x, q_AB.z, q_AB.y);
+      return different_axes(q_AB.x, q_AB.z, q_AB.y);
     case EulerSequence::kYXY:
       break;
   }

@@ -3,6 +3,8 @@
 
 #include "kinematics/shoulder_pose.h"
 
+#include "kinematics/euler_angles.h"
+
 namespace girdle {
 
 ShoulderPose PoseFromAngles(const JointAngles& angles_rad) noexcept {
@@ -14,11 +16,31 @@ ShoulderPose PoseFromAngles(const JointAngles& angles_rad) noexcept {
   return {rotation(0), rotation(1), rotation(2)};
 }
 
+// SC and AC (Y-X'-Z'') go side by side; of GH (X-Z'-Y''), which is alone, the half sum and the half
+// difference of euler_angles.h do.
 JointAngles AnglesFromPose(const ShoulderPose& pose) noexcept {
-  const Vector3 sc = EulerFromQuaternion(kJointSequences[0], pose.q_TC);
-  const Vector3 ac = EulerFromQuaternion(kJointSequences[1], pose.q_CS);
-  const Vector3 gh = EulerFromQuaternion(kJointSequences[2], pose.q_SH);
-  return {sc.x, sc.y, sc.z, ac.x, ac.y, ac.z, gh.x, gh.y, gh.z};
+  const auto positive = [](const Quaternion& q) { return q.w < 0 ? -q : q; };
+  const Quaternion sc = positive(pose.q_TC);
+  const Quaternion ac = positive(pose.q_CS);
+  const Quaternion gh = positive(pose.q_SH);
+  const VectorOf<Pair> girdle_rad =
+      EulerAngles(Pair(sc.w, ac.w), Pair(sc.y, ac.y), Pair(sc.x, ac.x), Pair(sc.z, ac.z));
+
+  const Pair sine{gh.y + gh.x, gh.x - gh.y};
+  const Pair cosine{gh.w - gh.z, gh.z + gh.w};
+  const Pair half_rad = Atan2(sine, cosine);
+  const Pair length = Sqrt(sine * sine + cosine * cosine);
+  const double flexion_rad = 2 * Atan2(Pair(length[1]), Pair(length[0]))[0] - kPi / 2;
+  const double axial_rad = WithinHalfTurn(half_rad[0] - half_rad[1] - kGhAxialMiddle_rad);
+  return {girdle_rad[0][0],
+          girdle_rad[1][0],
+          girdle_rad[2][0],
+          girdle_rad[0][1],
+          girdle_rad[1][1],
+          girdle_rad[2][1],
+          WithinHalfTurn(half_rad[0] + half_rad[1]),
+          flexion_rad,
+          axial_rad + kGhAxialMiddle_rad};
 }
 
 ArmAngles ArmAnglesFromRotation(const Quaternion& q_TH) noexcept {

@@ -48,6 +48,15 @@ inline constexpr std::array<EulerSequence, kJointCount> kJointSequences = {
 /// Nine joint angles [rad] in the order of kCoordinateNames.
 using JointAngles = std::array<double, kCoordinateCount>;
 
+/// Range of a joint coordinate [rad].
+struct CoordinateRange {
+  double lower_rad = 0;
+  double upper_rad = 0;
+};
+
+/// Ranges in the order of kCoordinateNames.
+using JointRanges = std::array<CoordinateRange, kCoordinateCount>;
+
 /// Rotations of the sternoclavicular, acromioclavicular and glenohumeral joints.
 struct ShoulderPose {
   Quaternion q_TC;  ///< clavicle in thorax
@@ -70,7 +79,12 @@ struct ArmAngles {
 
 [[nodiscard]] ShoulderPose PoseFromAngles(const JointAngles& angles_rad) noexcept;
 
-/// Returns the nine angles [rad] of a pose; ranges as in EulerFromQuaternion.
+/// GH's axial angle is given within half a turn of this one [rad], about the middle of what a
+/// shoulder does: behind the body it passes -180 deg, where a joint coordinate must not leap.
+inline constexpr double kGhAxialMiddle_rad = -kPi / 4;
+
+/// Returns the nine angles [rad] of a pose; ranges as in EulerFromQuaternion, but for GH's axial
+/// angle in (-5 pi/4, 3 pi/4].
 [[nodiscard]] JointAngles AnglesFromPose(const ShoulderPose& pose) noexcept;
 
 [[nodiscard]] ArmAngles ArmAnglesFromRotation(const Quaternion& q_TH) noexcept;

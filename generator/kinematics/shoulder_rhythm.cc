@@ -6,9 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
+
+#include "kinematics/euler_angles.h"
 
 namespace girdle {
 namespace {
@@ -23,29 +26,107 @@ std::optional<Enum> FromName(const std::array<std::string_view, N>& names,
   return static_cast<Enum>(found - names.begin());
 }
 
-JointRotations RotationsAt(const RhythmPosition& position) noexcept {
-  const ShoulderPose pose = PoseFromAngles(position.angles_rad);
-  return {pose.q_TC, pose.q_CS, pose.q_SH};
-}
-
-// Cosine of half the angle between rotations half a turn apart, 0 but for rounding.
-constexpr double kHalfTurnCosine = 1e-12;
-
 // Nearest value of [lower, upper]; a NaN gives `lower`.
 double Clamped(double value, double lower, double upper) noexcept {
   return value > lower ? std::min(value, upper) : lower;
 }
 
-// Index i with knot_i < value <= knot_i+1, equations (6) and (7); the lowest knot belongs to the
-// first interval. Precondition: value lies within the knots.
-std::size_t IntervalIndex(const std::vector<double>& knots, double value) noexcept {
-  const auto upper = std::lower_bound(knots.begin() + 1, knots.end() - 1, value);
-  return static_cast<std::size_t>(upper - knots.begin()) - 1;
+double FiniteOrZero(double value) noexcept { return std::isfinite(value) ? value : 0; }
+
+Quaternion Plain(const QuaternionOf<double>& q) noexcept { return {q.w, q.x, q.y, q.z}; }
+
+Quaternion AboutY(double angle_rad) noexcept {
+  return {std::cos(angle_rad / 2), 0, std::sin(angle_rad / 2), 0};
 }
 
-// Place within interval i, equations (8) and (9).
-double IntervalWeight(const std::vector<double>& knots, std::size_t i, double value) noexcept {
-  return (value - knots[i]) / (knots[i + 1] - knots[i]);
+// What may be added to an angle so that it stays in its range, of what is to be added. An angle
+// that is outside already may go back only.
+double Bounded(double angle_rad, double added_rad, const CoordinateRange& range) noexcept {
+  return std::clamp(added_rad, std::min(range.lower_rad - angle_rad, 0.0),
+                    std::max(range.upper_rad - angle_rad, 0.0));
+}
+
+// One of the parts of a rotation's jets.
+template <typename L, int Order>
+QuaternionOf<L> Part(const QuaternionOf<Jet<L, Order>>& q, JetPart part) noexcept {
+  return {q.w.part[part], q.x.part[part], q.y.part[part], q.z.part[part]};
+}
+
+template <typename L>
+VectorOf<L> TwiceVector(const QuaternionOf<L>& q) noexcept {
+  return {2.0 * q.x, 2.0 * q.y, 2.0 * q.z};
+}
+
+Vector3 Plain(const VectorOf<double>& v) noexcept { return {v[0], v[1], v[2]}; }
+Vector3 Plain(const VectorOf<Pair>& v, std::size_t i) noexcept {
+  return {v[0][i], v[1][i], v[2][i]};
+}
+
+// Angular velocities of the child in the parent, parent's axes: w = 2 dq q^-1.
+template <typename L>
+struct Velocities {
+  VectorOf<L> by_elevation;
+  VectorOf<L> by_plane;
+};
+template <typename L, int Order>
+Velocities<L> VelocitiesOf(const QuaternionOf<Jet<L, Order>>& q) noexcept {
+  const QuaternionOf<L> inverse = Inverse(Part(q, kValue));
+  return {TwiceVector(Part(q, kByElevation) * inverse), TwiceVector(Part(q, kByPlane) * inverse)};
+}
+
+// Derivatives by (theta, psi) into those by what these depend on: theta = a t + ..., psi = b t + c
+// p
+// + ...
+template <typename L, int Order>
+Jet<L, Order> Chained(const Jet<L, Order>& x, double a, double c, double b) noexcept {
+  Jet<L, Order> result(x.part[kValue]);
+  result.part[kByElevation] = a * x.part[kByElevation] + b * x.part[kByPlane];
+  result.part[kByPlane] = c * x.part[kByPlane];
+  if constexpr (Order == 2) {
+    result.part[kByElevationTwice] = a * a * x.part[kByElevationTwice] +
+                                     2 * a * b * x.part[kByElevationAndPlane] +
+                                     b * b * x.part[kByPlaneTwice];
+    result.part[kByElevationAndPlane] =
+        c * (a * x.part[kByElevationAndPlane] + b * x.part[kByPlaneTwice]);
+    result.part[kByPlaneTwice] = c * c * x.part[kByPlaneTwice];
+  }
+  return result;
+}
+
+template <typename T>
+VectorOf<T> EulerJets(EulerSequence sequence, const QuaternionOf<T>& q_AB) noexcept {
+  const QuaternionOf<T> q =
+      q_AB.w.part[kValue] < 0 ? QuaternionOf<T>{-q_AB.w, -q_AB.x, -q_AB.y, -q_AB.z} : q_AB;
+  return sequence == EulerSequence::kYXZ ? EulerAngles(q.w, q.y, q.x, q.z)
+                                         : EulerAngles(q.w, q.x, q.z, q.y);
+}
+
+// The clavicle with its offsets: Ry(a + protraction) Rx(b - shrug) Rz(c).
+template <int Order>
+QuaternionOf<Jet<Pair, Order>> WithOffsetsOf(const QuaternionOf<Jet<Pair, Order>>& q_TC_CS,
+                                             const ArmCommand& used) noexcept {
+  if (used.shrug_rad == 0 && used.protraction_rad == 0) {
+    return q_TC_CS;
+  }
+  using T = Jet<double, Order>;
+  const VectorOf<T> angles = EulerJets(EulerSequence::kYXZ, Element(q_TC_CS, 0));
+  const T y = 0.5 * (angles[0] + T(used.protraction_rad));
+  const T x = 0.5 * (angles[1] - T(used.shrug_rad));
+  const T z = 0.5 * angles[2];
+  const QuaternionOf<T> q_TC = QuaternionOf<T>{Cos(y), T(0.0), Sin(y), T(0.0)} *
+                               QuaternionOf<T>{Cos(x), Sin(x), T(0.0), T(0.0)} *
+                               QuaternionOf<T>{Cos(z), T(0.0), T(0.0), Sin(z)};
+  QuaternionOf<Jet<Pair, Order>> offset = q_TC_CS;
+  const auto replace_first = [](Jet<Pair, Order>& pair, const T& first) {
+    for (std::size_t i = 0; i < pair.part.size(); ++i) {
+      pair.part[i] = {first.part[i], pair.part[i][1]};
+    }
+  };
+  replace_first(offset.w, q_TC.w);
+  replace_first(offset.x, q_TC.x);
+  replace_first(offset.y, q_TC.y);
+  replace_first(offset.z, q_TC.z);
+  return offset;
 }
 
 }  // namespace
@@ -58,6 +139,10 @@ std::optional<Closure> ClosureFromName(std::string_view name) noexcept {
   return FromName<Closure>(kClosureNames, name);
 }
 
+std::optional<Range> RangeFromName(std::string_view name) noexcept {
+  return FromName<Range>(kRangeNames, name);
+}
+
 std::string_view Name(Interpolation interpolation) noexcept {
   return kInterpolationNames[static_cast<std::size_t>(interpolation)];
 }
@@ -66,111 +151,279 @@ std::string_view Name(Closure closure) noexcept {
   return kClosureNames[static_cast<std::size_t>(closure)];
 }
 
-ShoulderRhythm::ShoulderRhythm(RhythmTable table, RhythmOptions options)
-    : table_(std::move(table)), options_(options), series_(table_.planes_rad().size()) {
-  const std::size_t elevations = table_.elevations_rad().size();
-  for (std::size_t plane = 0; plane < series_.size(); ++plane) {
-    Series& series = series_[plane];
-    series.knots.resize(elevations);
-    for (std::size_t i = 0; i < elevations; ++i) {
-      series.knots[i] = RotationsAt(table_.position(plane, i));
-      AlignSigns(plane, i);
-    }
-    // The ends of a series have one neighbour: s_0 = q_0 and s_n = q_n.
-    series.controls = series.knots;
-    for (std::size_t i = 1; i + 1 < elevations; ++i) {
-      series.controls[i] = SquadControl(series.knots[i - 1], series.knots[i], series.knots[i + 1]);
-    }
-  }
+std::string_view Name(Range range) noexcept { return kRangeNames[static_cast<std::size_t>(range)]; }
+
+std::string_view Name(Origin origin) noexcept {
+  return kOriginNames[static_cast<std::size_t>(origin)];
 }
 
-// Signs agree along elevation, and along plane by way of the first elevation.
-void ShoulderRhythm::AlignSigns(std::size_t plane, std::size_t elevation) {
-  JointRotations& knot = series_[plane].knots[elevation];
-  for (std::size_t joint = 0; joint < kJointCount; ++joint) {
-    if (elevation > 0) {
-      knot[joint] = AlignedWith(knot[joint], series_[plane].knots[elevation - 1][joint]);
-    }
-    if (plane == 0) {
-      continue;
-    }
-    const Quaternion& neighbour = series_[plane - 1].knots[elevation][joint];
-    if (elevation == 0) {
-      knot[joint] = AlignedWith(knot[joint], neighbour);
-    }
-    if (glm::dot(knot[joint], neighbour) <= kHalfTurnCosine) {
-      const auto degrees = [](double angle_rad) {
-        return std::to_string(DegreesFromRadians(angle_rad));
-      };
-      throw std::invalid_argument(
-          std::string(kJointNames[joint]) + " turns by 180 deg or more between planes " +
-          degrees(table_.planes_rad()[plane - 1]) + " and " + degrees(table_.planes_rad()[plane]) +
-          " deg at elevation " + degrees(table_.elevations_rad()[elevation]) +
-          " deg; a denser grid is needed");
-    }
-  }
+Range DefaultRange(Interpolation interpolation, Closure closure) noexcept {
+  return interpolation == Interpolation::kSmooth && closure == Closure::kExact ? Range::kWhole
+                                                                               : Range::kClamp;
 }
 
-// q_j = squad along theta in plane j                                                       (10)
-// (11)
-JointRotations ShoulderRhythm::AlongElevation(std::size_t plane,
-                                              const RhythmCell& cell) const noexcept {
-  const Series& series = series_[plane];
-  const std::size_t i = cell.elevation_index;
-  if (options_.interpolation == Interpolation::kSlerp) {
-    return Slerp(series.knots[i], series.knots[i + 1], cell.elevation_weight);
-  }
-  return Squad(series.knots[i], series.knots[i + 1], series.controls[i], series.controls[i + 1],
-               cell.elevation_weight);
+JointRanges ShoulderRhythm::Unbounded() noexcept {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  JointRanges ranges{};
+  ranges.fill({-kInfinity, kInfinity});
+  return ranges;
 }
 
-// q = squad(q_j, q_j+1, t_psi), control points from the neighbouring planes at the same theta (12)
-JointRotations ShoulderRhythm::RotationsIn(const RhythmCell& cell) const noexcept {
-  const std::size_t j = cell.plane_index;
-  const JointRotations q_j = AlongElevation(j, cell);
-  const JointRotations q_next = AlongElevation(j + 1, cell);
-  if (options_.interpolation == Interpolation::kSlerp) {
-    return Slerp(q_j, q_next, cell.plane_weight);
+ShoulderRhythm::ShoulderRhythm(RhythmTable table, RhythmOptions options, const JointRanges& ranges)
+    : table_(std::move(table)),
+      options_(options),
+      ranges_(ranges),
+      measured_{table_.elevations_rad().front(), table_.elevations_rad().back(),
+                table_.planes_rad().front(), table_.planes_rad().back()},
+      domain_(measured_) {
+  const Range range_by_default = DefaultRange(options_.interpolation, options_.closure);
+  options_.range = options_.range.value_or(range_by_default);
+  if (options_.range == Range::kWhole && range_by_default == Range::kClamp) {
+    throw std::invalid_argument(
+        "the range whole needs the interpolation smooth and the closure exact: with others nothing "
+        "is known outside the table. Choose the range clamp");
   }
-  const JointRotations s_j = j == 0 ? q_j : SquadControl(AlongElevation(j - 1, cell), q_j, q_next);
-  const JointRotations s_next =
-      j + 2 == series_.size() ? q_next : SquadControl(q_j, q_next, AlongElevation(j + 2, cell));
-  return Squad(q_j, q_next, s_j, s_next, cell.plane_weight);
+  if (options_.interpolation == Interpolation::kSmooth) {
+    smooth_.emplace(table_);
+  } else {
+    squad_.emplace(table_, options_.interpolation == Interpolation::kSquad);
+  }
+  if (options_.range == Range::kWhole) {
+    smooth_->CheckWholeRange();
+    domain_ = {0, kPi, std::min(measured_.first_plane_rad, LowestPlaneAt(0).plane_rad),
+               std::max(measured_.last_plane_rad, kHighestPlane_rad)};
+  }
 }
 
 double ShoulderRhythm::DistanceOutside(double elevation_rad, double plane_rad) const noexcept {
-  const std::vector<double>& elevations = table_.elevations_rad();
-  const std::vector<double>& planes = table_.planes_rad();
-  const double distance =
-      std::hypot(elevation_rad - Clamped(elevation_rad, elevations.front(), elevations.back()),
-                 plane_rad - Clamped(plane_rad, planes.front(), planes.back()));
-  return std::isnan(distance) ? 0 : distance;
+  const double distance_rad = AngleFromRectangle(measured_, elevation_rad, plane_rad);
+  return std::isnan(distance_rad) ? 0 : distance_rad;
+}
+
+ShoulderRhythm::Used ShoulderRhythm::UsedFor(double elevation_rad,
+                                             double plane_rad) const noexcept {
+  Used used{Clamped(elevation_rad, domain_.lowest_elevation_rad, domain_.highest_elevation_rad), 0,
+            0, 0, 0};
+  used.elevation_slope = used.elevation_rad == elevation_rad ? 1 : 0;
+  double lowest_rad = domain_.first_plane_rad;
+  double lowest_slope = 0;
+  if (options_.range == Range::kWhole && plane_rad < measured_.first_plane_rad) {
+    const LowestPlane lowest = LowestPlaneAt(used.elevation_rad);
+    if (lowest.plane_rad < measured_.first_plane_rad) {
+      lowest_rad = lowest.plane_rad;
+      lowest_slope = lowest.slope;
+    } else {
+      lowest_rad = measured_.first_plane_rad;
+    }
+  }
+  used.plane_rad = Clamped(plane_rad, lowest_rad, domain_.last_plane_rad);
+  if (used.plane_rad == plane_rad) {
+    used.plane_slope = 1;
+  } else if (used.plane_rad == lowest_rad) {
+    used.plane_slope_by_elevation = lowest_slope * used.elevation_slope;
+  }
+  return used;
+}
+
+Origin ShoulderRhythm::OriginOf(const RhythmCell& cell, bool outside) const noexcept {
+  if (outside) {
+    return Origin::kModelled;
+  }
+  // A corner without weight says nothing of the pose.
+  const std::size_t first_i = cell.elevation_index + (cell.elevation_weight == 1 ? 1 : 0);
+  const std::size_t last_i = cell.elevation_index + (cell.elevation_weight == 0 ? 0 : 1);
+  const std::size_t first_j = cell.plane_index + (cell.plane_weight == 1 ? 1 : 0);
+  const std::size_t last_j = cell.plane_index + (cell.plane_weight == 0 ? 0 : 1);
+  for (std::size_t j = first_j; j <= last_j; ++j) {
+    for (std::size_t i = first_i; i <= last_i; ++i) {
+      if (!table_.position(j, i).measured) {
+        return Origin::kDerived;
+      }
+    }
+  }
+  return Origin::kMeasured;
+}
+
+Quaternion ShoulderRhythm::WithOffsets(const Quaternion& q_TC, ArmCommand& used) const noexcept {
+  Vector3 angles_rad = EulerFromQuaternion(kJointSequences[0], q_TC);
+  used.protraction_rad = Bounded(angles_rad.x, used.protraction_rad, ranges_[0]);
+  used.shrug_rad = -Bounded(angles_rad.y, -used.shrug_rad, ranges_[1]);
+  angles_rad.x += used.protraction_rad;
+  angles_rad.y -= used.shrug_rad;
+  return QuaternionFromEuler(kJointSequences[0], angles_rad);
+}
+
+// A turn about the humerus's own y comes last in X-Z'-Y'': it adds to the axial angle.
+void ShoulderRhythm::BoundAxial(ShoulderPose& pose, ArmCommand& used) const noexcept {
+  const CoordinateRange& range = ranges_[kGhAxialIndex];
+  const double angle_rad = AnglesFromPose(pose)[kGhAxialIndex];
+  if (angle_rad >= range.lower_rad && angle_rad <= range.upper_rad) {
+    return;
+  }
+  const double without_rad = angle_rad - used.axial_rad;
+  const double bounded_rad = Bounded(without_rad, used.axial_rad, range);
+  pose.q_SH = pose.q_SH * AboutY(bounded_rad - used.axial_rad);
+  used.axial_rad = bounded_rad;
+}
+
+ArmCommand ShoulderRhythm::WithinRange(const ArmCommand& command) const noexcept {
+  const Used used = UsedFor(command.elevation_rad, command.plane_rad);
+  return {used.elevation_rad, used.plane_rad, FiniteOrZero(command.axial_rad),
+          FiniteOrZero(command.shrug_rad), FiniteOrZero(command.protraction_rad)};
+}
+
+ShoulderPose ShoulderRhythm::PoseFor(ArmCommand& used) const noexcept {
+  ShoulderPose pose;  // NOLINT(*-member-init): every member is set below
+  const bool exact = options_.closure == Closure::kExact;
+  double turn_rad = 0;
+  if (smooth_ && exact) {
+    const GirdleOf<double> girdle = smooth_->Girdle<double>(used.elevation_rad, used.plane_rad);
+    pose.q_TC = Plain(Element(girdle.q_TC_CS, 0));
+    pose.q_CS = Plain(Element(girdle.q_TC_CS, 1));
+    turn_rad = girdle.turn_rad;
+  } else if (smooth_) {
+    const JointsOf<double> joints = smooth_->Joints<double>(used.elevation_rad, used.plane_rad);
+    pose = {Plain(Element(joints.q_TC_CS, 0)), Plain(Element(joints.q_TC_CS, 1)),
+            Plain(joints.q_SH)};
+  } else {
+    const JointRotations rotations =
+        squad_->RotationsIn(table_.CellAt(used.elevation_rad, used.plane_rad));
+    pose = {rotations[0], rotations[1], rotations[2]};
+    if (exact) {
+      const Quaternion q_TH = pose.q_TH();
+      turn_rad = 2 * std::atan2(q_TH.y, q_TH.w);
+    }
+  }
+  if (used.shrug_rad != 0 || used.protraction_rad != 0) [[unlikely]] {
+    pose.q_TC = WithOffsets(pose.q_TC, used);
+  }
+  if (exact) {
+    const QuaternionOf<double> q_TH =
+        HumerusRotation(used.elevation_rad, used.plane_rad, turn_rad + used.axial_rad);
+    pose.q_SH = glm::conjugate(pose.q_TS()) * Plain(q_TH);
+  } else if (used.axial_rad != 0) {
+    pose.q_SH = pose.q_SH * AboutY(used.axial_rad);
+  }
+  if (used.axial_rad != 0) [[unlikely]] {
+    BoundAxial(pose, used);
+  }
+  return pose;
+}
+
+ShoulderPose ShoulderRhythm::SolvePose(const ArmCommand& command) const noexcept {
+  const bool plain = measured_.Holds(command.elevation_rad, command.plane_rad) &&
+                     command.axial_rad == 0 && command.shrug_rad == 0 &&
+                     command.protraction_rad == 0;
+  ArmCommand used = plain ? command : WithinRange(command);
+  return PoseFor(used);
 }
 
 ShoulderSolution ShoulderRhythm::Solve(const ArmCommand& command) const noexcept {
-  const std::vector<double>& planes = table_.planes_rad();
-  const std::vector<double>& elevations = table_.elevations_rad();
-  const double elevation_rad =
-      Clamped(command.elevation_rad, elevations.front(), elevations.back());
-  const double plane_rad = Clamped(command.plane_rad, planes.front(), planes.back());
+  ShoulderSolution solution;  // NOLINT(*-member-init): every member is set below
+  solution.used = WithinRange(command);
+  solution.pose = PoseFor(solution.used);
+  solution.clamped = !(solution.used == command);
+  solution.cell = table_.CellAt(solution.used.elevation_rad, solution.used.plane_rad);
+  const bool outside = !measured_.Holds(command.elevation_rad, command.plane_rad);
+  solution.distance_rad = outside ? DistanceOutside(command.elevation_rad, command.plane_rad) : 0;
+  solution.origin = OriginOf(solution.cell, outside && options_.range == Range::kWhole);
+  return solution;
+}
 
-  RhythmCell cell{};
-  cell.elevation_index = IntervalIndex(elevations, elevation_rad);
-  cell.plane_index = IntervalIndex(planes, plane_rad);
-  cell.elevation_weight = IntervalWeight(elevations, cell.elevation_index, elevation_rad);
-  cell.plane_weight = IntervalWeight(planes, cell.plane_index, plane_rad);
+// The joints' rotations as functions of the elevation and plane commanded.
+template <int Order>
+struct ShoulderRhythm::Jets {
+  QuaternionOf<Jet<Pair, Order>> q_TC_CS;
+  QuaternionOf<Jet<double, Order>> q_SH;
+};
 
-  const JointRotations rotations = RotationsIn(cell);
-  ShoulderPose pose{rotations[0], rotations[1], rotations[2]};
-  // A turn about the humerus's own y comes last in X-Z'-Y'': it adds to the measured axial angle.
-  if (std::isfinite(command.axial_rad) && command.axial_rad != 0) {
-    const double half_rad = command.axial_rad / 2;
-    pose.q_SH = pose.q_SH * Quaternion{std::cos(half_rad), 0, std::sin(half_rad), 0};
+template <int Order>
+ShoulderRhythm::Jets<Order> ShoulderRhythm::JetsFor(const ArmCommand& command) const noexcept {
+  using Scalar = Jet<double, Order>;
+  const Used place = UsedFor(command.elevation_rad, command.plane_rad);
+  ArmCommand used = command;
+  if (command.axial_rad != 0 || command.shrug_rad != 0 || command.protraction_rad != 0) {
+    used = Solve(command).used;
   }
+  Jets<Order> jets;
+  // Derivatives are by the elevation and plane used; the last step makes them those by the ones
+  // given.
+  if (options_.closure == Closure::kExact) {
+    const GirdleOf<Scalar> girdle = smooth_->Girdle<Scalar>(place.elevation_rad, place.plane_rad);
+    jets.q_TC_CS = WithOffsetsOf(girdle.q_TC_CS, used);
+    Scalar theta(place.elevation_rad);
+    Scalar psi(place.plane_rad);
+    theta.part[kByElevation] = 1;
+    psi.part[kByPlane] = 1;
+    jets.q_SH = Inverse(Element(jets.q_TC_CS, 0) * Element(jets.q_TC_CS, 1)) *
+                HumerusRotation(theta, psi, girdle.turn_rad + Scalar(used.axial_rad));
+  } else {
+    const JointsOf<Scalar> joints = smooth_->Joints<Scalar>(place.elevation_rad, place.plane_rad);
+    jets.q_TC_CS = WithOffsetsOf(joints.q_TC_CS, used);
+    jets.q_SH = joints.q_SH;
+    if (used.axial_rad != 0) {
+      const Quaternion axial = AboutY(used.axial_rad);
+      jets.q_SH = jets.q_SH * QuaternionOf<double>{axial.w, axial.x, axial.y, axial.z};
+    }
+  }
+  if (place.elevation_slope != 1 || place.plane_slope != 1) {
+    const auto chain = [&place](auto& q) {
+      for (auto* component : {&q.w, &q.x, &q.y, &q.z}) {
+        *component = Chained(*component, place.elevation_slope, place.plane_slope,
+                             place.plane_slope_by_elevation);
+      }
+    };
+    chain(jets.q_TC_CS);
+    chain(jets.q_SH);
+  }
+  return jets;
+}
 
-  const bool clamped = elevation_rad != command.elevation_rad || plane_rad != command.plane_rad;
-  return {pose, cell, clamped,
-          clamped ? DistanceOutside(command.elevation_rad, command.plane_rad) : 0};
+std::optional<ShoulderRates> ShoulderRhythm::SolveRates(const ArmCommand& command) const noexcept {
+  if (!smooth_) {
+    return std::nullopt;
+  }
+  const Jets<1> jets = JetsFor<1>(command);
+  const QuaternionOf<Pair> q_TC_CS = Part(jets.q_TC_CS, kValue);
+  const Velocities<Pair> girdle = VelocitiesOf(jets.q_TC_CS);
+  const Velocities<double> gh = VelocitiesOf(jets.q_SH);
+  return ShoulderRates{
+      {Plain(Element(q_TC_CS, 0)), Plain(Element(q_TC_CS, 1)), Plain(Part(jets.q_SH, kValue))},
+      {{{Plain(girdle.by_elevation, 0), Plain(girdle.by_plane, 0)},
+        {Plain(girdle.by_elevation, 1), Plain(girdle.by_plane, 1)},
+        {Plain(gh.by_elevation), Plain(gh.by_plane)}}}};
+}
+
+// w_i = 2 q_i q^-1 (vector part); of its derivative 2 (q_ij q^-1 + q_i q_j^-1) the second term is a
+// number for i = j, so that its vector part vanishes there.
+std::optional<ShoulderDerivatives> ShoulderRhythm::SolveDerivatives(
+    const ArmCommand& command) const noexcept {
+  if (!smooth_) {
+    return std::nullopt;
+  }
+  const Jets<2> jets = JetsFor<2>(command);
+  const std::array<QuaternionOf<Jet<double, 2>>, kJointCount> joints = {
+      Element(jets.q_TC_CS, 0), Element(jets.q_TC_CS, 1), jets.q_SH};
+  ShoulderDerivatives derivatives;  // NOLINT(*-member-init): every member is set below
+  for (std::size_t joint = 0; joint < kJointCount; ++joint) {
+    const QuaternionOf<Jet<double, 2>>& q = joints[joint];
+    const QuaternionOf<double> inverse = Inverse(Part(q, kValue));
+    const Velocities<double> velocities = VelocitiesOf(q);
+    derivatives.joints[joint] = {
+        {Plain(velocities.by_elevation), Plain(velocities.by_plane)},
+        Plain(TwiceVector(Part(q, kByElevationTwice) * inverse)),
+        Plain(TwiceVector(Part(q, kByElevationAndPlane) * inverse)) +
+            Plain(TwiceVector(Part(q, kByElevation) * Inverse(Part(q, kByPlane)))),
+        Plain(TwiceVector(Part(q, kByPlaneTwice) * inverse))};
+    const VectorOf<Jet<double, 2>> angles = EulerJets(kJointSequences[joint], q);
+    for (std::size_t k = 0; k < angles.size(); ++k) {
+      const auto& part = angles[k].part;
+      derivatives.angles[3 * joint + k] = {part[kByElevation], part[kByPlane],
+                                           part[kByElevationTwice], part[kByElevationAndPlane],
+                                           part[kByPlaneTwice]};
+    }
+  }
+  return derivatives;
 }
 
 }  // namespace girdle

@@ -11,102 +11,207 @@
 #include <cstddef>
 #include <optional>
 #include <string_view>
-#include <vector>
 
+#include "kinematics/arm_directions.h"
 #include "kinematics/rhythm_table.h"
-#include "kinematics/rotation_spline.h"
 #include "kinematics/shoulder_pose.h"
+#include "kinematics/smooth_rhythm.h"
+#include "kinematics/squad_rhythm.h"
 
 namespace girdle {
 
 /// How rotations between the measured positions are found.
 enum class Interpolation {
-  kSquad,  ///< as published: C1 along elevation, continuous along plane
-  kSlerp,  ///< the paper's comparison: continuous
+  kSmooth,  ///< twice continuously differentiable in both directions, see smooth_rhythm.h
+  kSquad,   ///< as published: C1 along elevation, continuous along plane
+  kSlerp,   ///< the paper's comparison: continuous
 };
 
 /// How the three joints are made to agree with the direction commanded.
 enum class Closure {
+  /// SC and AC from the table, GH such that the humerus points exactly where it was commanded to,
+  /// with the table's own turn about its long axis: GH = (q_TC q_CS)^-1 q_TH.
+  kExact,
   kTable,  ///< as published: all three joints come from the table, the arm goes where they take it
 };
 
+/// What happens outside the table.
+enum class Range {
+  kWhole,  ///< all that an arm can reach, by the rule of smooth_rhythm.h
+  kClamp,  ///< the table's nearest point answers
+};
+
 /// Words of the command line and of the plugin's configuration, in the order of the enumerators.
-inline constexpr std::array<std::string_view, 2> kInterpolationNames = {"squad", "slerp"};
-inline constexpr std::array<std::string_view, 1> kClosureNames = {"table"};
+inline constexpr std::array<std::string_view, 3> kInterpolationNames = {"smooth", "squad", "slerp"};
+inline constexpr std::array<std::string_view, 2> kClosureNames = {"exact", "table"};
+inline constexpr std::array<std::string_view, 2> kRangeNames = {"whole", "clamp"};
 
 [[nodiscard]] std::optional<Interpolation> InterpolationFromName(std::string_view name) noexcept;
 [[nodiscard]] std::optional<Closure> ClosureFromName(std::string_view name) noexcept;
+[[nodiscard]] std::optional<Range> RangeFromName(std::string_view name) noexcept;
 [[nodiscard]] std::string_view Name(Interpolation interpolation) noexcept;
 [[nodiscard]] std::string_view Name(Closure closure) noexcept;
+[[nodiscard]] std::string_view Name(Range range) noexcept;
 
+/// The method as published is {kSquad, kTable}.
 struct RhythmOptions {
-  Interpolation interpolation = Interpolation::kSquad;
-  Closure closure = Closure::kTable;
+  Interpolation interpolation = Interpolation::kSmooth;
+  Closure closure = Closure::kExact;
+  /// Nothing stands for whole where there is a rule for it, with smooth and exact, else clamp.
+  std::optional<Range> range;
 };
+
+/// The range that options without one stand for.
+[[nodiscard]] Range DefaultRange(Interpolation interpolation, Closure closure) noexcept;
 
 /// What is asked of the shoulder.
 struct ArmCommand {
-  double elevation_rad =
-      0;  ///< angle between humerus and hanging down; clamped to the table's elevations
-  double plane_rad = 0;  ///< 0 frontal, pi/2 sagittal; clamped to the table's planes
+  double elevation_rad = 0;  ///< angle between humerus and hanging down, [0, pi]
+  double plane_rad = 0;      ///< 0 frontal, pi/2 sagittal
   double axial_rad =
       0;  ///< turn about the humerus's own long axis on top of the measured one, internal +
+  double shrug_rad = 0;        ///< clavicle raised beyond the rhythm, up +
+  double protraction_rad = 0;  ///< clavicle protracted beyond the rhythm, forward +
+
+  [[nodiscard]] bool operator==(const ArmCommand&) const noexcept = default;
 };
 
-/// Cell of the grid that holds a command and the place within it.
-struct RhythmCell {
-  std::size_t elevation_index;  ///< i of equation (6): the cell lies between knots i and i + 1
-  std::size_t plane_index;      ///< j of equation (7)
-  double elevation_weight;      ///< t_theta of equation (8), [0, 1]
-  double plane_weight;          ///< t_psi of equation (9), [0, 1]
+/// Where a solution comes from.
+enum class Origin {
+  kMeasured,  ///< between measured positions
+  kDerived,   ///< between positions one of which has a derived SC and AC (RhythmPosition::measured)
+  kModelled,  ///< outside the table, by a rule
 };
+inline constexpr std::array<std::string_view, 3> kOriginNames = {"measured", "derived", "modelled"};
+[[nodiscard]] std::string_view Name(Origin origin) noexcept;
 
 /// Result of the inverse kinematics. "Not reached" is part of it, not an error.
 struct ShoulderSolution {
   ShoulderPose pose;
-  RhythmCell cell;
-  /// True if the command lay outside the table and its nearest point was used.
+  /// The command that the pose answers: the nearest in the range and, for axial, shrug and
+  /// protraction, in the joints' ranges.
+  ArmCommand used;
+  /// True if that is not the command given.
   bool clamped;
-  /// Distance of the command from the table's domain in the (elevation, plane) chart [rad]; 0
+  Origin origin;
+  /// The table's cell that holds the command used, or the nearest to it.
+  RhythmCell cell;
+  /// Angle between the direction commanded and the nearest direction of the table's domain [rad]; 0
   /// inside.
   double distance_rad;
+};
+
+/// How a joint turns with the command: angular velocities of the child in the parent, in the
+/// parent's axes [rad/rad].
+struct AngularRate {
+  Vector3 by_elevation;
+  Vector3 by_plane;
+};
+
+/// A pose and its first derivatives, SC, AC, GH.
+struct ShoulderRates {
+  ShoulderPose pose;
+  std::array<AngularRate, kJointCount> joints;
+};
+
+/// First and second derivatives of one joint's rotation: its angular velocities as above and what
+/// they change by [rad/rad^2].
+struct RotationDerivatives {
+  AngularRate rate;
+  Vector3 by_elevation_twice;      ///< of rate.by_elevation by elevation
+  Vector3 by_elevation_and_plane;  ///< of rate.by_elevation by plane
+  Vector3 by_plane_twice;          ///< of rate.by_plane by plane
+};
+
+/// First and second derivatives of one joint coordinate [rad/rad, rad/rad^2].
+struct AngleDerivatives {
+  double by_elevation;
+  double by_plane;
+  double by_elevation_twice;
+  double by_elevation_and_plane;
+  double by_plane_twice;
+};
+
+struct ShoulderDerivatives {
+  std::array<RotationDerivatives, kJointCount> joints;
+  std::array<AngleDerivatives, kCoordinateCount> angles;  ///< in the order of kCoordinateNames
 };
 
 /// Interpolant of a measured shoulder rhythm. Immutable; evaluation is thread-safe and allocates
 /// nothing.
 class ShoulderRhythm {
  public:
+  /// `ranges` bound what axial, shrug and protraction add; the rhythm itself they do not touch.
   /// Throws std::invalid_argument if neighbouring planes differ by 180 degrees or more, so that the
-  /// way between them is not determined.
-  explicit ShoulderRhythm(RhythmTable table, RhythmOptions options = {});
+  /// way between them is not determined; if the table has too few knots for the interpolation; or
+  /// if the whole range is wanted where there is no rule for it.
+  explicit ShoulderRhythm(RhythmTable table, RhythmOptions options = {},
+                          const JointRanges& ranges = Unbounded());
 
-  /// Returns the pose for a command, equations (4) to (12). Total: outside the table the nearest
-  /// point of its domain is used, and a NaN counts as the lowest elevation or plane and as an axial
-  /// turn of zero.
+  /// Returns the pose for a command. Total: outside the range its nearest point is used, and a NaN
+  /// counts as the lowest elevation or plane and as no axial turn or offset.
+  ///
+  /// With squad or slerp: equations (4) to (12). Offsets turn the clavicle's angles; the scapula
+  /// keeps its place on the clavicle, and with closure exact the arm its direction.
   [[nodiscard]] ShoulderSolution Solve(const ArmCommand& command) const noexcept;
 
-  /// Returns how far a command lies outside the table's domain in the (elevation, plane) chart
-  /// [rad]; 0 inside, and for a NaN.
+  /// The pose alone, in less time.
+  [[nodiscard]] ShoulderPose SolvePose(const ArmCommand& command) const noexcept;
+
+  /// Returns the pose with its derivatives by the elevation and plane commanded, exact but for
+  /// rounding; nothing unless the interpolation is smooth. Where the command is clamped the pose
+  /// does not change with it, and where a bound or a change of the rule's form makes a kink it is
+  /// one of the two.
+  [[nodiscard]] std::optional<ShoulderRates> SolveRates(const ArmCommand& command) const noexcept;
+  [[nodiscard]] std::optional<ShoulderDerivatives> SolveDerivatives(
+      const ArmCommand& command) const noexcept;
+
+  /// Returns the angle between a direction and the nearest one of the table's domain [rad]; 0
+  /// inside, and for a NaN.
   [[nodiscard]] double DistanceOutside(double elevation_rad, double plane_rad) const noexcept;
 
   [[nodiscard]] const RhythmTable& table() const noexcept { return table_; }
+  /// With the range said.
   [[nodiscard]] const RhythmOptions& options() const noexcept { return options_; }
+  [[nodiscard]] const JointRanges& ranges() const noexcept { return ranges_; }
+  /// Elevations and planes of commands that are not clamped: with the range whole, behind the
+  /// frontal plane only as far as LowestPlaneAt.
+  [[nodiscard]] const ArmRectangle& domain() const noexcept { return domain_; }
+
+  /// Ranges that bound nothing.
+  [[nodiscard]] static JointRanges Unbounded() noexcept;
 
  private:
-  /// One plane: the three joints at its elevations, and squad's inner control points.
-  struct Series {
-    std::vector<JointRotations> knots;
-    std::vector<JointRotations> controls;
+  /// The command used, and how its elevation and plane change with those given.
+  struct Used {
+    double elevation_rad;
+    double plane_rad;
+    double elevation_slope;           ///< of the elevation by the elevation, 0 or 1
+    double plane_slope;               ///< of the plane by the plane, 0 or 1
+    double plane_slope_by_elevation;  ///< along the limit of what an arm can reach
   };
 
-  void AlignSigns(std::size_t plane, std::size_t elevation);
-  [[nodiscard]] JointRotations AlongElevation(std::size_t plane,
-                                              const RhythmCell& cell) const noexcept;
-  [[nodiscard]] JointRotations RotationsIn(const RhythmCell& cell) const noexcept;
+  [[nodiscard]] Used UsedFor(double elevation_rad, double plane_rad) const noexcept;
+  /// The pose for a command within the range; bounds its axial turn and offsets.
+  [[nodiscard]] ShoulderPose PoseFor(ArmCommand& used) const noexcept;
+  [[nodiscard]] ArmCommand WithinRange(const ArmCommand& command) const noexcept;
+  [[nodiscard]] Origin OriginOf(const RhythmCell& cell, bool outside) const noexcept;
+  /// SC and AC with the command's offsets, as far as the ranges allow; `used` says how far.
+  [[nodiscard]] Quaternion WithOffsets(const Quaternion& q_TC, ArmCommand& used) const noexcept;
+  /// GH with the command's axial turn, as far as its range allows.
+  void BoundAxial(ShoulderPose& pose, ArmCommand& used) const noexcept;
+  template <int Order>
+  struct Jets;
+  template <int Order>
+  [[nodiscard]] Jets<Order> JetsFor(const ArmCommand& command) const noexcept;
 
   RhythmTable table_;
   RhythmOptions options_;
-  std::vector<Series> series_;  ///< one a plane
+  JointRanges ranges_;
+  ArmRectangle measured_;  ///< the table's domain
+  ArmRectangle domain_;
+  std::optional<SmoothRhythm> smooth_;  ///< one of the two
+  std::optional<SquadRhythm> squad_;
 };
 
 }  // namespace girdle

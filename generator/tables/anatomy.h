@@ -71,10 +71,6 @@ struct SegmentInertia {
   Vector3 inertia_kg_m2{0, 0, 0};  ///< about the centre of mass, along x, y, z
 };
 
-struct CoordinateRange {
-  double lower_rad = 0;
-  double upper_rad = 0;
-};
 
 /// Surface in the thorax frame, axes parallel to it.
 struct Ellipsoid {
@@ -85,7 +81,7 @@ struct Ellipsoid {
 struct Anatomy {
   std::array<Vector3, kLandmarkCount> landmarks_m{};  ///< each in the frame of its segment
   std::array<SegmentInertia, kSegmentCount> segments{};
-  std::array<CoordinateRange, kCoordinateCount> ranges{};  ///< in the order of kCoordinateNames
+  JointRanges ranges{};
   Ellipsoid ribcage;                                       ///< what is drawn as the thorax
   Ellipsoid gliding;                                       ///< what the scapula glides on
 

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "kinematics/arm_directions.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace girdle {
+
+LowestPlane LowestPlaneAt(double elevation_rad) noexcept {
+  constexpr double kFree_rad = -60 * kRadiansPerDegree;
+  constexpr double kTight_rad = -30 * kRadiansPerDegree;
+  constexpr double kFreeUpTo_rad = 60 * kRadiansPerDegree;
+  constexpr double kTightFrom_rad = 85 * kRadiansPerDegree;
+  constexpr double kSlope = (kTight_rad - kFree_rad) / (kTightFrom_rad - kFreeUpTo_rad);
+  if (!(elevation_rad > kFreeUpTo_rad)) {
+    return {kFree_rad, 0};
+  }
+  if (elevation_rad >= kTightFrom_rad) {
+    return {kTight_rad, 0};
+  }
+  return {kFree_rad + kSlope * (elevation_rad - kFreeUpTo_rad), kSlope};
+}
+
+double AngleFromRectangle(const ArmRectangle& rectangle, double elevation_rad,
+                          double plane_rad) noexcept {
+  const double theta = std::clamp(elevation_rad, 0.0, kPi);
+  const double lowest = rectangle.lowest_elevation_rad;
+  const double highest = rectangle.highest_elevation_rad;
+  // The plane from the middle of the rectangle's, in [-pi, pi].
+  const double middle = (rectangle.first_plane_rad + rectangle.last_plane_rad) / 2;
+  const double half_width = (rectangle.last_plane_rad - rectangle.first_plane_rad) / 2;
+  const double beyond = std::abs(std::remainder(plane_rad - middle, 2 * kPi)) - half_width;
+  if (!(beyond > 0)) {
+    return std::max({lowest - theta, theta - highest, 0.0});
+  }
+  // The nearest direction lies on the edge plane, `beyond` away. Along it the cosine of the angle
+  // is cos(theta) cos(e) + sin(theta) sin(e) cos(beyond), largest at this elevation e.
+  const double along = std::atan2(std::sin(theta) * std::cos(beyond), std::cos(theta));
+  const double end = std::cos(along - lowest) < std::cos(along - highest) ? highest : lowest;
+  const double e = along > lowest && along < highest ? along : end;
+  const double sine_half_e = std::sin((theta - e) / 2);
+  const double sine_half_b = std::sin(beyond / 2);
+  // Haversine formula: precise for small angles.
+  const double h =
+      sine_half_e * sine_half_e + std::sin(theta) * std::sin(e) * sine_half_b * sine_half_b;
+  return 2 * std::asin(std::min(std::sqrt(h), 1.0));
+}
+
+}  // namespace girdle

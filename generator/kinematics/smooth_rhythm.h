@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+/// The smooth interpolant of a measured rhythm, and its continuation to all that an arm can do.
+///
+/// Within the table: with m the mean of a joint's rotations (Frechet's: the sum of logarithms at it
+/// is zero), u = log(q m^-1) of every position is interpolated by a twice continuously
+/// differentiable tensor-product spline (surface_spline.h), and q = exp(u) m. The curve passes
+/// through every position; exp being analytic it is as smooth as the spline. A base point is needed
+/// because rotations have no coordinates that are the same everywhere; the mean is the one that
+/// needs no choice: it turns with the data, so that turning all rotations of a joint in the parent
+/// or in the child turns the interpolant alike. Chained or blended slerps (squad, and its C2
+/// relatives) have no coefficients that could be computed once, and are C2 in one direction only.
+///
+/// The humerus's turn about its own long axis is a number, tau: the table's arm q_TC q_CS q_SH is
+/// S Ry(tau), S the smallest rotation that takes the hanging arm where the table's arm points. It
+/// is interpolated by the same spline.
+///
+/// Outside the table: a rule fitted to what was measured in vivo above 120 deg of elevation and
+/// outside planes 0 to 90 (Henninger, Bourne, Matsuki, Sahara and others, as collected by Moissenet
+/// et al., J Biomech 2025, doi 10.1016/j.jbiomech.2025.112642). It is a model, not a measurement;
+/// its error against those sets is 3 to 4 deg. It has a continuous first derivative, and one value
+/// at elevations 0 and 180, where the plane has no meaning.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "kinematics/rhythm_table.h"
+#include "kinematics/rotation_algebra.h"
+#include "kinematics/surface_spline.h"
+
+namespace girdle {
+
+/// Clavicle in thorax and scapula in clavicle as the two elements of one rotation, and tau [rad].
+template <typename T>
+struct GirdleOf {
+  QuaternionOf<PairOf<T>> q_TC_CS;
+  T turn_rad;
+};
+
+/// The same two, and humerus in scapula.
+template <typename T>
+struct JointsOf {
+  QuaternionOf<PairOf<T>> q_TC_CS;
+  QuaternionOf<T> q_SH;
+};
+
+class SmoothRhythm {
+ public:
+  static constexpr std::size_t kFewestElevations = 4;
+  static constexpr std::size_t kFewestPlanes = 3;
+
+  /// Throws std::invalid_argument if the table has too few knots, or rotations half a turn from
+  /// their mean.
+  explicit SmoothRhythm(const RhythmTable& table);
+
+  /// Throws std::invalid_argument if the rule for the whole range cannot go on from this table: its
+  /// edges are more than a right angle from where the rule goes.
+  void CheckWholeRange() const;
+
+  /// Clavicle, scapula and tau for T double or Jet<double, 1 or 2>, whose coordinates are the two
+  /// arguments: jets carry the derivatives by elevation and plane. Elevation in [0, pi], plane
+  /// anything; outside the table by the rule.
+  template <typename T>
+  [[nodiscard]] GirdleOf<T> Girdle(double elevation_rad, double plane_rad) const noexcept;
+
+  /// All three joints, within the table, the humerus in the scapula from the table too. T as above.
+  template <typename T>
+  [[nodiscard]] JointsOf<T> Joints(double elevation_rad, double plane_rad) const noexcept;
+
+ private:
+  struct Edges {
+    double lowest_rad;
+    double highest_rad;
+    double first_plane_rad;
+    double last_plane_rad;
+  };
+  struct Mean {
+    QuaternionOf<Pair> q_TC_CS;
+    QuaternionOf<double> q_SH;
+  };
+
+  [[nodiscard]] static Mean MeanOf(const RhythmTable& table);
+
+  template <typename T>
+  [[nodiscard]] GirdleOf<T> InTable(const T& elevation_rad, const T& plane_rad) const noexcept;
+  template <typename T>
+  [[nodiscard]] GirdleOf<T> AcrossPlanes(const T& elevation_rad, const T& plane_rad) const noexcept;
+  template <typename T>
+  [[nodiscard]] GirdleOf<T> AboveTable(const T& elevation_rad, const T& plane_rad) const noexcept;
+  template <typename T>
+  [[nodiscard]] GirdleOf<T> BelowTable(const T& elevation_rad, const T& plane_rad) const noexcept;
+
+  Edges edges_;
+  SurfaceGrid grid_;
+  Mean mean_;
+  SurfaceSpline<Pair, 3> girdle_;        ///< u of SC and AC
+  SurfaceSpline<double, 1> turn_;        ///< tau
+  SurfaceSpline<Pair, 2> glenohumeral_;  ///< u of GH: (x, y), (z, 0)
+  QuaternionOf<Pair> hanging_;           ///< where the rule goes at elevation 0
+  QuaternionOf<Pair> upright_;           ///< at elevation 180
+  double hanging_turn_rad_;              ///< tau at elevation 0
+};
+
+}  // namespace girdle

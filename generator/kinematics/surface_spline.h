@@ -1,0 +1,314 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+/// Twice continuously differentiable surfaces through values on a grid of elevations and planes.
+///
+/// Tensor product of cubic splines with the not-a-knot end condition (C. de Boor, A Practical Guide
+/// to Splines, 2001, chapter IV): third derivatives are continuous over the second and the second
+/// last knot, so that nothing is assumed about the ends. Three knots are joined by the parabola
+/// through them. Knots may be uneven.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include "kinematics/jet.h"
+
+namespace girdle {
+
+/// The interpolating spline of one direction: its pieces, and how their polynomials follow from the
+/// values at the knots.
+class SplineAxis {
+ public:
+  static constexpr std::size_t kPowers = 4;          ///< of a cubic
+  static constexpr std::size_t kParabolaPowers = 3;  ///< where there are three knots
+
+  /// `knots` increase strictly. Throws std::invalid_argument if there are fewer than three.
+  explicit SplineAxis(const std::vector<double>& knots);
+
+  [[nodiscard]] std::size_t knots() const noexcept { return knots_; }
+  [[nodiscard]] std::size_t pieces() const noexcept { return breaks_.size() - 1; }
+  /// Where piece i begins and the origin of its polynomial.
+  [[nodiscard]] double origin(std::size_t piece) const noexcept { return breaks_[piece]; }
+  /// Piece i with origin_i < x <= origin_i+1; the first and the last go on outside.
+  [[nodiscard]] GIRDLE_INLINE std::size_t PieceAt(double x) const noexcept {
+    const std::size_t last = pieces() - 1;
+    // Right where breaks are even, near elsewhere.
+    const double guess = (x - breaks_.front()) * pieces_per_unit_;
+    std::size_t piece =
+        guess > 0 ? static_cast<std::size_t>(std::min(guess, static_cast<double>(last))) : 0;
+    while (piece < last && x > breaks_[piece + 1]) {
+      ++piece;
+    }
+    while (piece > 0 && x <= breaks_[piece]) {
+      --piece;
+    }
+    return piece;
+  }
+  /// Coefficient of (x - origin)^power is the sum over knots of weight times value.
+  [[nodiscard]] double weight(std::size_t piece, std::size_t power,
+                              std::size_t knot) const noexcept {
+    return weights_[(piece * kPowers + power) * knots_ + knot];
+  }
+  /// Powers in use: 3 for a parabola, else 4.
+  [[nodiscard]] std::size_t powers() const noexcept { return powers_; }
+
+ private:
+  std::size_t knots_;
+  std::size_t powers_;
+  std::vector<double> breaks_;
+  double pieces_per_unit_;
+  std::vector<double> weights_;
+};
+
+/// The grid under several surfaces: where a point lies in it.
+class SurfaceGrid {
+ public:
+  /// Piece of each direction that holds a point, and the place within.
+  struct Place {
+    std::size_t cell;
+    double s;  ///< elevation from the cell's origin [rad]
+    double t;  ///< plane from the cell's origin [rad]
+  };
+
+  SurfaceGrid(SplineAxis elevations, SplineAxis planes)
+      : elevations_(std::move(elevations)), planes_(std::move(planes)) {}
+
+  /// Outside the grid the nearest cell, whose polynomial goes on.
+  [[nodiscard]] GIRDLE_INLINE Place PlaceOf(double elevation_rad, double plane_rad) const noexcept {
+    const std::size_t i = elevations_.PieceAt(elevation_rad);
+    const std::size_t j = planes_.PieceAt(plane_rad);
+    return {i * planes_.pieces() + j, elevation_rad - elevations_.origin(i),
+            plane_rad - planes_.origin(j)};
+  }
+
+  [[nodiscard]] const SplineAxis& elevations() const noexcept { return elevations_; }
+  [[nodiscard]] const SplineAxis& planes() const noexcept { return planes_; }
+
+ private:
+  SplineAxis elevations_;
+  SplineAxis planes_;
+};
+
+/// K surfaces of leaf type L (double or Pair) over (elevation, plane) [rad]. Evaluation allocates
+/// nothing.
+template <typename L, std::size_t K>
+class SurfaceSpline {
+ public:
+  using Values = std::array<L, K>;
+
+  /// `value_at(elevation knot, plane knot)` gives the values to pass through.
+  SurfaceSpline(const SurfaceGrid& grid,
+                const std::function<Values(std::size_t, std::size_t)>& value_at)
+      : plane_powers_(grid.planes().powers()) {
+    for (std::size_t i = 0; i < grid.elevations().pieces(); ++i) {
+      for (std::size_t j = 0; j < grid.planes().pieces(); ++j) {
+        for (std::size_t l = 0; l < plane_powers_; ++l) {
+          Row& row = rows_.emplace_back();
+          for (std::size_t k = 0; k < SplineAxis::kPowers; ++k) {
+            row[k] = Coefficient(grid, i, k, j, l, value_at);
+          }
+        }
+      }
+    }
+  }
+
+  /// Values at a place of the grid.
+  [[nodiscard]] GIRDLE_INLINE Values At(const SurfaceGrid::Place& place) const noexcept {
+    const Row* cell = CellAt(place);
+    Values sum = Along(cell[2], place.s);
+    if (plane_powers_ == SplineAxis::kPowers) {
+      sum = Added(sum, place.t, Along(cell[3], place.s));
+    }
+    sum = Added(Along(cell[1], place.s), place.t, sum);
+    return Added(Along(cell[0], place.s), place.t, sum);
+  }
+
+  /// The same with derivatives by elevation and plane.
+  template <int Order>
+  [[nodiscard]] std::array<Jet<L, Order>, K> JetsAt(
+      const SurfaceGrid::Place& place) const noexcept {
+    return plane_powers_ == SplineAxis::kParabolaPowers
+               ? JetSum<Order, SplineAxis::kParabolaPowers>(place)
+               : JetSum<Order, SplineAxis::kPowers>(place);
+  }
+
+  /// Derivative of order i by elevation and j by plane.
+  [[nodiscard]] Values Partial(const SurfaceGrid::Place& place, std::size_t i,
+                               std::size_t j) const noexcept {
+    Values sum{};
+    sum.fill(L(0.0));
+    const Row* cell = CellAt(place);
+    double t_power = 1;
+    for (std::size_t l = j; l < plane_powers_; ++l) {
+      double s_power = 1;
+      for (std::size_t k = i; k < SplineAxis::kPowers; ++k) {
+        const double factor = Falling(k, i) * s_power * Falling(l, j) * t_power;
+        for (std::size_t c = 0; c < K; ++c) {
+          sum[c] = sum[c] + factor * cell[l][k][c];
+        }
+        s_power *= place.s;
+      }
+      t_power *= place.t;
+    }
+    return sum;
+  }
+
+ private:
+  /// Coefficients of one power of plane, by power of elevation.
+  using Row = std::array<Values, SplineAxis::kPowers>;
+
+  [[nodiscard]] static Values Coefficient(
+      const SurfaceGrid& grid, std::size_t i, std::size_t k, std::size_t j, std::size_t l,
+      const std::function<Values(std::size_t, std::size_t)>& value_at) {
+    Values sum;
+    sum.fill(L(0.0));
+    for (std::size_t m = 0; m < grid.elevations().knots(); ++m) {
+      for (std::size_t n = 0; n < grid.planes().knots(); ++n) {
+        const double weight = grid.elevations().weight(i, k, m) * grid.planes().weight(j, l, n);
+        const Values value = value_at(m, n);
+        for (std::size_t c = 0; c < K; ++c) {
+          sum[c] = sum[c] + weight * value[c];
+        }
+      }
+    }
+    return sum;
+  }
+
+  [[nodiscard]] GIRDLE_INLINE const Row* CellAt(const SurfaceGrid::Place& place) const noexcept {
+    return rows_.data() + place.cell * plane_powers_;
+  }
+
+  /// The cubic of one power of plane.
+  [[nodiscard]] GIRDLE_INLINE static Values Along(const Row& row, double s) noexcept {
+    Values value;
+    for (std::size_t c = 0; c < K; ++c) {
+      value[c] = row[0][c] + s * (row[1][c] + s * (row[2][c] + s * row[3][c]));
+    }
+    return value;
+  }
+  /// a + t b
+  [[nodiscard]] GIRDLE_INLINE static Values Added(const Values& a, double t,
+                                                  const Values& b) noexcept {
+    Values sum;
+    for (std::size_t c = 0; c < K; ++c) {
+      sum[c] = a[c] + t * b[c];
+    }
+    return sum;
+  }
+
+  template <int Order, std::size_t PlanePowers>
+  [[nodiscard]] std::array<Jet<L, Order>, K> JetSum(
+      const SurfaceGrid::Place& place) const noexcept {
+    const Row* cell = CellAt(place);
+    const double s = place.s;
+    const double t = place.t;
+    std::array<Jet<L, Order>, K> jets;
+    jets.fill(Jet<L, Order>(L(0.0)));
+    for (std::size_t l = PlanePowers; l-- > 0;) {
+      const Row& row = cell[l];
+      for (std::size_t c = 0; c < K; ++c) {
+        auto& part = jets[c].part;
+        const L value = row[0][c] + s * (row[1][c] + s * (row[2][c] + s * row[3][c]));
+        const L slope = row[1][c] + s * (2.0 * row[2][c] + (3.0 * s) * row[3][c]);
+        if constexpr (Order == 2) {
+          // Each uses what the others were before this power.
+          part[kByPlaneTwice] = 2.0 * part[kByPlane] + t * part[kByPlaneTwice];
+          part[kByElevationAndPlane] = part[kByElevation] + t * part[kByElevationAndPlane];
+          part[kByElevationTwice] =
+              2.0 * row[2][c] + (6.0 * s) * row[3][c] + t * part[kByElevationTwice];
+        }
+        part[kByPlane] = part[kValue] + t * part[kByPlane];
+        part[kByElevation] = slope + t * part[kByElevation];
+        part[kValue] = value + t * part[kValue];
+      }
+    }
+    return jets;
+  }
+
+  /// n (n - 1) ... (n - count + 1).
+  [[nodiscard]] static double Falling(std::size_t n, std::size_t count) noexcept {
+    double product = 1;
+    for (std::size_t i = 0; i < count; ++i) {
+      product *= static_cast<double>(n - i);
+    }
+    return product;
+  }
+
+  std::size_t plane_powers_;
+  std::vector<Row> rows_;  ///< cell by cell, each with its powers of plane
+};
+
+/// The derivative of order (i, j) of the surfaces at a point whose coordinates may carry
+/// derivatives themselves.
+template <typename L, std::size_t K>
+[[nodiscard]] std::array<L, K> Evaluate(const SurfaceSpline<L, K>& surface, const SurfaceGrid& grid,
+                                        double elevation_rad, double plane_rad, std::size_t i = 0,
+                                        std::size_t j = 0) noexcept {
+  const SurfaceGrid::Place place = grid.PlaceOf(elevation_rad, plane_rad);
+  return i == 0 && j == 0 ? surface.At(place) : surface.Partial(place, i, j);
+}
+template <typename L, std::size_t K, int Order>
+[[nodiscard]] std::array<Jet<L, Order>, K> Evaluate(const SurfaceSpline<L, K>& surface,
+                                                    const SurfaceGrid& grid,
+                                                    const Jet<double, Order>& elevation_rad,
+                                                    const Jet<double, Order>& plane_rad,
+                                                    std::size_t i = 0, std::size_t j = 0) noexcept {
+  const SurfaceGrid::Place place = grid.PlaceOf(elevation_rad.part[kValue], plane_rad.part[kValue]);
+  const auto f = surface.Partial(place, i, j);
+  const auto f_e = surface.Partial(place, i + 1, j);
+  const auto f_p = surface.Partial(place, i, j + 1);
+  std::array<Jet<L, Order>, K> result;
+  for (std::size_t c = 0; c < K; ++c) {
+    result[c].part[kValue] = f[c];
+    for (std::size_t part = kByElevation; part < result[c].part.size(); ++part) {
+      result[c].part[part] = elevation_rad.part[part] * f_e[c] + plane_rad.part[part] * f_p[c];
+    }
+  }
+  if constexpr (Order == 2) {
+    const auto f_ee = surface.Partial(place, i + 2, j);
+    const auto f_ep = surface.Partial(place, i + 1, j + 1);
+    const auto f_pp = surface.Partial(place, i, j + 2);
+    const auto add = [&](JetPart both, JetPart a, JetPart b) {
+      const double ee = elevation_rad.part[a] * elevation_rad.part[b];
+      const double ep =
+          elevation_rad.part[a] * plane_rad.part[b] + elevation_rad.part[b] * plane_rad.part[a];
+      const double pp = plane_rad.part[a] * plane_rad.part[b];
+      for (std::size_t c = 0; c < K; ++c) {
+        result[c].part[both] = result[c].part[both] + ee * f_ee[c] + ep * f_ep[c] + pp * f_pp[c];
+      }
+    };
+    add(kByElevationTwice, kByElevation, kByElevation);
+    add(kByElevationAndPlane, kByElevation, kByPlane);
+    add(kByPlaneTwice, kByPlane, kByPlane);
+  }
+  return result;
+}
+template <typename L, std::size_t K, typename T>
+[[nodiscard]] auto Evaluate(const SurfaceSpline<L, K>& surface, const SurfaceGrid& grid,
+                            const Dual<T>& elevation_rad, const Dual<T>& plane_rad,
+                            std::size_t i = 0, std::size_t j = 0) noexcept {
+  const auto value = Evaluate(surface, grid, elevation_rad.value, plane_rad.value, i, j);
+  const auto by_elevation = Evaluate(surface, grid, elevation_rad.value, plane_rad.value, i + 1, j);
+  const auto by_plane = Evaluate(surface, grid, elevation_rad.value, plane_rad.value, i, j + 1);
+  using Scalar = typename std::decay_t<decltype(value)>::value_type;
+  const auto factor = [](const T& slope) {
+    if constexpr (std::is_same_v<L, Pair>) {
+      return Both(slope);
+    } else {
+      return slope;
+    }
+  };
+  std::array<Dual<Scalar>, K> result;
+  for (std::size_t c = 0; c < K; ++c) {
+    result[c] = {value[c], factor(elevation_rad.slope) * by_elevation[c] +
+                               factor(plane_rad.slope) * by_plane[c]};
+  }
+  return result;
+}
+
+}  // namespace girdle
