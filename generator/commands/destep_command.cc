@@ -74,23 +74,21 @@ std::string DegreesText(double angle_rad) {
 std::vector<std::string> Provenance(const std::string& source, const SmoothingOptions& options,
                                     const std::vector<std::string>& source_comments) {
   const std::string lambda = NumberText(options.penalty);
-  std::vector<std::string> lines = {
-      "# De-stepped: " + source +
-          " without the steps of its means where people drop out. What was measured stands there.",
-      "# Method: r_i in place of the source's rotations q_i, for each of SC, AC and GH in each "
-      "plane, that make",
-      "#     sum |log(q_i^-1 r_i)|^2 + lambda sum p_i |t_i|^2",
+  const std::string least =
       "#   least; t_i is the third difference of r_i .. r_i+3 on the rotation group, in row steps. "
-      "lambda = " +
-          lambda + ".",
+      "lambda = ";
+  std::vector<std::string> lines = {
+      "# De-stepped: " + source + " without the steps of its means where people drop out.",
+      "# Method: in place of the source's rotations q_i, per joint and plane, the r_i that make",
+      "#     sum |log(q_i^-1 r_i)|^2 + lambda sum p_i |t_i|^2",
+      least + lambda + ".",
       "#   p_i = 1, but " + NumberText(options.gh_low_share) +
           " for GH where row i is below elevation " + DegreesText(options.gh_low_elevation_rad) +
           ".",
       "# Made by: girdle destep --in " + source + " --penalty " + lambda + " --out FILE",
       "# Units: degrees, rounded to " + std::to_string(kAngleDecimals) +
           " decimals. Frames, sequences and signs: as in the source.",
-      "# Derived: all angles of SC, AC and GH. The origin of a row and ST, if there, are the "
-      "source's."};
+      "# Derived: all angles of SC, AC and GH. The origins of rows and ST are the source's."};
   if (!source_comments.empty()) {
     lines.emplace_back("# The source says:");
   }
