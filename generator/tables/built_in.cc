@@ -11,9 +11,14 @@
 
 namespace girdle {
 
-RhythmTable BuiltInRhythmTable() {
-  std::istringstream in{std::string(built_in_files::kLudewig2009)};
-  return ReadRhythmTable(in, "data/ludewig2009.csv");
+RhythmTable BuiltInRhythmTable() { return BuiltInRhythmTable(BuiltInTable::kMeasured); }
+
+RhythmTable BuiltInRhythmTable(BuiltInTable table) {
+  const bool is_destepped = table == BuiltInTable::kDestepped;
+  std::istringstream in{std::string(is_destepped ? built_in_files::kLudewig2009Destepped
+                                                 : built_in_files::kLudewig2009)};
+  return ReadRhythmTable(in,
+                         is_destepped ? "data/ludewig2009_destepped.csv" : "data/ludewig2009.csv");
 }
 
 Anatomy BuiltInAnatomy() {

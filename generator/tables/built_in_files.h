@@ -9,6 +9,7 @@
 namespace girdle::built_in_files {
 
 extern const std::string_view kLudewig2009;
+extern const std::string_view kLudewig2009Destepped;
 extern const std::string_view kLandmarks;
 extern const std::string_view kSegments;
 extern const std::string_view kJointRanges;

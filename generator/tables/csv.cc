@@ -25,13 +25,17 @@ std::string Joined(const std::vector<std::string>& names) {
 }  // namespace
 
 CsvReader::CsvReader(std::istream& in, std::string name) : in_(in), name_(std::move(name)) {
-  do {
+  while (header_line_.empty()) {
     if (!ReadLine()) {
       throw InputError(name_, line_number_ + 1,
                        "no header line. The first line must name the columns");
     }
-  } while (line_.empty() || line_.front() == '#');
-  header_line_ = line_;
+    if (line_.starts_with('#')) {
+      comments_.push_back(line_);
+    } else {
+      header_line_ = line_;
+    }
+  }
   Split();
   columns_.assign(fields_.begin(), fields_.end());
   for (std::size_t i = 0; i < columns_.size(); ++i) {

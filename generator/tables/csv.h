@@ -30,6 +30,8 @@ class CsvReader {
   [[nodiscard]] bool Next();
 
   [[nodiscard]] const std::vector<std::string>& columns() const noexcept { return columns_; }
+  /// The comment lines before the header, each with its `#` and without its line end.
+  [[nodiscard]] const std::vector<std::string>& comments() const noexcept { return comments_; }
   /// The header line as it stands in the file, without its line end.
   [[nodiscard]] const std::string& header_line() const noexcept { return header_line_; }
 
@@ -61,6 +63,7 @@ class CsvReader {
 
   std::istream& in_;
   std::string name_;
+  std::vector<std::string> comments_;
   std::string header_line_;
   std::vector<std::string> columns_;
   std::string line_;

@@ -145,6 +145,41 @@ std::optional<ScapulothoracicColumns> FindScapulothoracic(const CsvReader& csv) 
                                  csv.Column(kScapulothoracicColumns[2])}};
 }
 
+// Header and rows, with `separator` between them; `angle_text` writes the angles of a position.
+template <typename AngleText>
+std::string TableText(const RhythmTable& table, char separator, const AngleText& angle_text) {
+  const bool has_scapulothoracic = table.position(0, 0).scapulothoracic_rad.has_value();
+  std::string text = "plane_deg,elevation_deg,origin";
+  for (const std::string_view name : kCoordinateNames) {
+    text += "," + ColumnOf(name);
+  }
+  if (has_scapulothoracic) {
+    for (const std::string_view column : kScapulothoracicColumns) {
+      text += "," + std::string(column);
+    }
+  }
+  const auto append_angle = [&](double angle_rad) { text += ',' + angle_text(angle_rad); };
+  for (std::size_t plane = 0; plane < table.planes_rad().size(); ++plane) {
+    for (std::size_t elevation = 0; elevation < table.elevations_rad().size(); ++elevation) {
+      const RhythmPosition& position = table.position(plane, elevation);
+      text += separator + ExactDegreesText(table.planes_rad()[plane]);
+      text += ',' + ExactDegreesText(table.elevations_rad()[elevation]);
+      text += ',';
+      text += position.measured ? kMeasured : kDerived;
+      for (const double angle_rad : position.angles_rad) {
+        append_angle(angle_rad);
+      }
+      if (has_scapulothoracic) {
+        const Vector3 st = *position.scapulothoracic_rad;
+        append_angle(st.x);
+        append_angle(st.y);
+        append_angle(st.z);
+      }
+    }
+  }
+  return text;
+}
+
 }  // namespace
 
 RhythmTable ReadRhythmTable(std::istream& in, const std::string& name) {
@@ -200,39 +235,22 @@ ShoulderRhythm ReadShoulderRhythm(const std::string& path, const RhythmOptions& 
   }
 }
 
+std::string RhythmTableToCsv(const RhythmTable& table, const std::vector<std::string>& comments,
+                             int decimals) {
+  std::string text;
+  for (const std::string& comment : comments) {
+    text += comment + '\n';
+  }
+  return text +
+         TableText(table, '\n',
+                   [decimals](double angle_rad) {
+                     return RoundedText(DegreesFromRadians(angle_rad), decimals);
+                   }) +
+         '\n';
+}
+
 std::string RhythmTableToLine(const RhythmTable& table) {
-  const bool has_scapulothoracic = table.position(0, 0).scapulothoracic_rad.has_value();
-  std::string line = "plane_deg,elevation_deg,origin";
-  for (const std::string_view name : kCoordinateNames) {
-    line += "," + ColumnOf(name);
-  }
-  if (has_scapulothoracic) {
-    for (const std::string_view column : kScapulothoracicColumns) {
-      line += "," + std::string(column);
-    }
-  }
-  const auto append_angle = [&line](double angle_rad) {
-    line += ',' + ExactDegreesText(angle_rad);
-  };
-  for (std::size_t plane = 0; plane < table.planes_rad().size(); ++plane) {
-    for (std::size_t elevation = 0; elevation < table.elevations_rad().size(); ++elevation) {
-      const RhythmPosition& position = table.position(plane, elevation);
-      line += ';' + ExactDegreesText(table.planes_rad()[plane]);
-      append_angle(table.elevations_rad()[elevation]);
-      line += ',';
-      line += position.measured ? kMeasured : kDerived;
-      for (const double angle_rad : position.angles_rad) {
-        append_angle(angle_rad);
-      }
-      if (has_scapulothoracic) {
-        const Vector3 st = *position.scapulothoracic_rad;
-        append_angle(st.x);
-        append_angle(st.y);
-        append_angle(st.z);
-      }
-    }
-  }
-  return line;
+  return TableText(table, ';', ExactDegreesText);
 }
 
 RhythmTable RhythmTableFromLine(std::string line, const std::string& name) {

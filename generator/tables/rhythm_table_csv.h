@@ -13,6 +13,7 @@
 
 #include <istream>
 #include <string>
+#include <vector>
 
 #include "kinematics/shoulder_rhythm.h"
 
@@ -24,6 +25,12 @@ namespace girdle {
 /// Returns the rhythm of a table in a file. Throws InputError.
 [[nodiscard]] ShoulderRhythm ReadShoulderRhythm(const std::string& path,
                                                 const RhythmOptions& options);
+
+/// Returns the table as a file that ReadRhythmTable reads: `comments`, each a line that begins with
+/// `#`, the header, the rows. Angles are rounded to `decimals` places of a degree, so that the text
+/// does not depend on a machine's last digits; planes and elevations keep all of theirs.
+[[nodiscard]] std::string RhythmTableToCsv(const RhythmTable& table,
+                                           const std::vector<std::string>& comments, int decimals);
 
 /// Returns the table as one line, rows separated by `;`, in the form that RhythmTableFromLine reads
 /// back; for places that cannot hold line breaks, such as an XML attribute.

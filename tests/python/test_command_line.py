@@ -8,8 +8,9 @@ from pathlib import Path
 
 import pytest
 from conftest import SCENE, Girdle, Refuses, contents, expect_one_message, with_scene
+from reference_rhythm import DATABASE
 
-VERBS = ("solve", "generate", "simulate", "verify")
+VERBS = ("solve", "generate", "simulate", "verify", "destep")
 
 # A complete command of each verb, given the scene of a model.
 ONE_POSE = ("solve", "--elevation", "23", "--plane", "50")
@@ -17,6 +18,7 @@ TABLE_OF_POSES = ("solve", "--in", "poses.csv")
 RAISE = ("simulate", SCENE, "--raise", "15:20", "--seconds", "0.1")
 VERIFY = ("verify", SCENE)
 GENERATE = ("generate", "--out", "new_model")
+DESTEP = ("destep", "--in", str(DATABASE), "--out", "smooth.csv")
 
 POSES = "elevation_deg,plane_deg\n23,50\n"
 
@@ -27,7 +29,7 @@ def commands(*rows: Command) -> pytest.MarkDecorator:
     return pytest.mark.parametrize("command", rows, ids=[" ".join(row) for row in rows])
 
 
-every_verb = commands(ONE_POSE, TABLE_OF_POSES, RAISE, VERIFY, GENERATE)
+every_verb = commands(ONE_POSE, TABLE_OF_POSES, RAISE, VERIFY, GENERATE, DESTEP)
 
 
 # --- Help ----------------------------------------------------------------------------------------
@@ -139,6 +141,7 @@ NO_FOLDER = ["a_file", "a_file/below", "/proc/nope", "/dev/full"]
     (*ONE_POSE, "--json", "--out"),
     (*TABLE_OF_POSES, "--out"),
     (*RAISE, "--trace"),
+    DESTEP[:-1],
 )
 def test_a_file_that_cannot_be_written_is_refused(
     refuses: Refuses, generated: Path, tmp_path: Path, command: Command, place: str
@@ -157,7 +160,7 @@ def test_a_folder_that_cannot_be_made_is_refused(
     refuses("generate", "--out", place, because=(place, "cannot be", "--out"))
 
 
-@commands((*ONE_POSE, "--out"), (*RAISE, "--trace"), ("generate", "--out"))
+@commands((*ONE_POSE, "--out"), (*RAISE, "--trace"), ("generate", "--out"), DESTEP[:-1])
 def test_a_place_without_a_name_is_refused_by_its_option(
     refuses: Refuses, generated: Path, command: Command
 ) -> None:
@@ -177,6 +180,8 @@ def test_a_place_without_a_name_is_refused_by_its_option(
     (*RAISE, "--trace", "-"),
     VERIFY,
     (*VERIFY, "--json"),
+    (*DESTEP[:-1], "-"),
+    (*DESTEP[:-1], "/dev/stdout"),
 )
 def test_a_full_standard_output_is_an_error(
     girdle: Girdle, generated: Path, tmp_path: Path, command: Command

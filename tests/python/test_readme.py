@@ -39,6 +39,7 @@ def checkout(tmp_path: Path, program: Path, plugin_library: Path) -> Path:
     release.mkdir(parents=True)
     (release / plugin_library.name).symlink_to(plugin_library)
     (tmp_path / "build" / "engine").symlink_to(ROOT / "build" / "engine")
+    (tmp_path / "data").symlink_to(ROOT / "data")
     run(program, "generate", "--out", tmp_path / "build" / "model", folder=tmp_path)
     return tmp_path
 
@@ -79,6 +80,7 @@ def test_the_readme_shows_every_verb() -> None:
         "generate",
         "simulate",
         "verify",
+        "destep",
     }
 
 

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "kinematics/shipped_data.h"
+#include "kinematics/table_smoothing.h"
 #include "tables/built_in_files.h"
 
 namespace girdle {
@@ -34,6 +35,8 @@ TEST_P(ShippedFile, IsBuiltInByteForByte) {
 INSTANTIATE_TEST_SUITE_P(
     Data, ShippedFile,
     testing::Values(FileAndText("ludewig2009.csv", &built_in_files::kLudewig2009),
+                    FileAndText("ludewig2009_destepped.csv",
+                                &built_in_files::kLudewig2009Destepped),
                     FileAndText("landmarks.csv", &built_in_files::kLandmarks),
                     FileAndText("segments.csv", &built_in_files::kSegments),
                     FileAndText("joint_ranges.csv", &built_in_files::kJointRanges),
@@ -49,6 +52,36 @@ TEST(BuiltInRhythmTable, IsTheShippedTable) {
       EXPECT_EQ(table.position(plane, elevation).angles_rad,
                 expected.position(plane, elevation).angles_rad)
           << "plane " << plane << ", elevation " << elevation;
+    }
+  }
+}
+
+TEST(BuiltInRhythmTable, IsTheMeasuredOneUnlessToldOtherwise) {
+  EXPECT_EQ(BuiltInRhythmTable().position(1, 7).angles_rad,
+            BuiltInRhythmTable(BuiltInTable::kMeasured).position(1, 7).angles_rad);
+}
+
+// The file is the fit rounded to its decimals.
+TEST(BuiltInRhythmTable, HasTheMeasuredTableWithoutItsSteps) {
+  constexpr double kHalfOfTheLastDecimal_deg = 0.5e-4;
+  constexpr double kRounding_deg = 1e-9;
+  const RhythmTable measured = BuiltInRhythmTable(BuiltInTable::kMeasured);
+  const RhythmTable destepped = BuiltInRhythmTable(BuiltInTable::kDestepped);
+  const RhythmTable expected = Smoothed(measured);
+  ASSERT_EQ(destepped.planes_rad(), measured.planes_rad());
+  ASSERT_EQ(destepped.elevations_rad(), measured.elevations_rad());
+  for (std::size_t plane = 0; plane < 3; ++plane) {
+    for (std::size_t elevation = 0; elevation < 22; ++elevation) {
+      const RhythmPosition& position = destepped.position(plane, elevation);
+      for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+        EXPECT_NEAR(DegreesFromRadians(position.angles_rad[k]),
+                    DegreesFromRadians(expected.position(plane, elevation).angles_rad[k]),
+                    kHalfOfTheLastDecimal_deg + kRounding_deg)
+            << kCoordinateNames[k] << ", plane " << plane << ", elevation " << elevation;
+      }
+      EXPECT_EQ(position.measured, measured.position(plane, elevation).measured);
+      EXPECT_EQ(position.scapulothoracic_rad,
+                measured.position(plane, elevation).scapulothoracic_rad);
     }
   }
 }

@@ -271,5 +271,12 @@ TEST(CsvReader, SaysThatAStreamFailedBeforeTheHeader) {
             "t.csv:2: cannot be read");
 }
 
+TEST(CsvReader, KeepsTheCommentsBeforeTheHeader) {
+  std::istringstream in("\xEF\xBB\xBF# one\r\n\n#two\r\na,b\r\n1,2\r\n");
+  CsvReader csv(in, "t.csv");
+  EXPECT_EQ(csv.comments(), (std::vector<std::string>{"# one", "#two"}));
+  EXPECT_EQ(csv.header_line(), "a,b");
+}
+
 }  // namespace
 }  // namespace girdle

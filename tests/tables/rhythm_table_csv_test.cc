@@ -306,6 +306,22 @@ TEST_F(OwnFile, OfATableWithUndeterminedWaysIsNamed) {
       << message;
 }
 
+TEST(RhythmTableToCsv, IsTheTextOfTheFileWithTheseComments) {
+  EXPECT_EQ(RhythmTableToCsv(BuiltInRhythmTable(), {"# one", "#two"}, 1),
+            "# one\n#two\n" + BuiltInText().Text());
+}
+
+TEST(RhythmTableToCsv, RoundsAnglesButNotPlanesOrElevations) {
+  std::vector<RhythmPosition> positions(4);
+  positions[3].angles_rad[1] = RadiansFromDegrees(-12.34567);
+  positions[3].measured = false;
+  const RhythmTable table({0, RadiansFromDegrees(40.125)}, {0, RadiansFromDegrees(15.0625)},
+                          positions);
+  const std::string text = RhythmTableToCsv(table, {}, 2);
+  EXPECT_EQ(text.substr(text.rfind('\n', text.size() - 2) + 1),
+            "40.125,15.0625,sc_ac_derived,0,-12.35,0,0,0,0,0,0,0\n");
+}
+
 // The file's own rows, separated by ; as promised: short texts keep their digits.
 TEST(RhythmTableToLine, IsTheTextOfTheFileInOneLine) {
   std::string expected = BuiltInText().Text();
