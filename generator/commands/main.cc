@@ -10,6 +10,7 @@
 #include <sstream>
 #include <string>
 
+#include "commands/compare_command.h"
 #include "commands/generate_command.h"
 #include "commands/output_file.h"
 #include "commands/simulate_command.h"
@@ -65,6 +66,7 @@ int Run(int argc, char** argv) {
   AddGenerateCommand(program);
   AddSimulateCommand(program);
   AddVerifyCommand(program, residual_status);
+  AddCompareCommand(program);
   program.footer("girdle VERB --help tells more, with examples.");
   RefuseEmptyWords(argc, argv);
   CheckVerb(program, argc, argv);

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from conftest import SCENE, Girdle, Refuses, contents, expect_one_message, with_scene
 
-VERBS = ("solve", "generate", "simulate", "verify")
+VERBS = ("solve", "generate", "simulate", "verify", "compare")
 
 # A complete command of each verb, given the scene of a model.
 ONE_POSE = ("solve", "--elevation", "23", "--plane", "50")
@@ -17,6 +17,7 @@ TABLE_OF_POSES = ("solve", "--in", "poses.csv")
 RAISE = ("simulate", SCENE, "--raise", "15:20", "--seconds", "0.1")
 VERIFY = ("verify", SCENE)
 GENERATE = ("generate", "--out", "new_model")
+COMPARE = ("compare", "--elevation", "30:120:30", "--plane", "0:90:45")
 
 POSES = "elevation_deg,plane_deg\n23,50\n"
 
@@ -27,7 +28,7 @@ def commands(*rows: Command) -> pytest.MarkDecorator:
     return pytest.mark.parametrize("command", rows, ids=[" ".join(row) for row in rows])
 
 
-every_verb = commands(ONE_POSE, TABLE_OF_POSES, RAISE, VERIFY, GENERATE)
+every_verb = commands(ONE_POSE, TABLE_OF_POSES, RAISE, VERIFY, GENERATE, COMPARE)
 
 
 # --- Help ----------------------------------------------------------------------------------------
@@ -92,9 +93,9 @@ def test_a_missing_model_is_named(refuses: Refuses, command: Command) -> None:
     refuses(*command, because=("model", "--help"))
 
 
-# --- Choosing the rhythm, which three verbs share ------------------------------------------------
+# --- Choosing the rhythm, which four verbs share -------------------------------------------------
 
-every_verb_that_chooses = commands(ONE_POSE, VERIFY, GENERATE)
+every_verb_that_chooses = commands(ONE_POSE, VERIFY, GENERATE, COMPARE)
 
 
 @every_verb_that_chooses
@@ -157,7 +158,7 @@ def test_a_folder_that_cannot_be_made_is_refused(
     refuses("generate", "--out", place, because=(place, "cannot be", "--out"))
 
 
-@commands((*ONE_POSE, "--out"), (*RAISE, "--trace"), ("generate", "--out"))
+@commands((*ONE_POSE, "--out"), (*RAISE, "--trace"), ("generate", "--out"), (*COMPARE, "--out"))
 def test_a_place_without_a_name_is_refused_by_its_option(
     refuses: Refuses, generated: Path, command: Command
 ) -> None:
@@ -177,6 +178,8 @@ def test_a_place_without_a_name_is_refused_by_its_option(
     (*RAISE, "--trace", "-"),
     VERIFY,
     (*VERIFY, "--json"),
+    COMPARE,
+    (*COMPARE, "--json"),
 )
 def test_a_full_standard_output_is_an_error(
     girdle: Girdle, generated: Path, tmp_path: Path, command: Command
