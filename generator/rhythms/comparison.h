@@ -21,7 +21,8 @@
 namespace girdle {
 
 /// What is compared. The first three are the angle of the rotation between the two, never negative;
-/// the others are published minus measured Y-X'-Z'' angle, within [-pi, pi].
+/// the others are published minus measured Y-X'-Z'' angle, within [-pi, pi]. Where a scapula is
+/// near 90 degrees of upward rotation its other two angles run away together; kGh stays true there.
 enum class ComparedAngle {
   kSc,  ///< clavicle in thorax
   kAc,  ///< scapula in clavicle
@@ -91,8 +92,8 @@ inline constexpr double kRatioFrom_rad = 30 * kRadiansPerDegree;
 
 /// Returns (change of humeral elevation - change of upward rotation) / change of upward rotation:
 /// degrees in the glenohumeral joint per degree of the scapula. Upward rotation is the second
-/// Y-X'-Z'' angle of the scapula in the thorax, upwards +, both as changes from kRatioFrom_rad.
-/// Nothing if the scapula does not turn.
+/// Y-X'-Z'' angle of the scapula in the thorax, upwards +; humeral elevation is that commanded;
+/// both as changes from kRatioFrom_rad. Nothing if the scapula does not turn.
 [[nodiscard]] std::optional<double> ScapulohumeralRatio(double elevation_change_rad,
                                                         double upward_rotation_change_rad) noexcept;
 

@@ -130,10 +130,8 @@ def test_differences_of_angles_are_rhythm_minus_measured(small_map: Rows) -> Non
         for angle in angles:
             if row[f"{angle}_difference_deg"] != "":
                 expected = float(row[f"{angle}_deg"]) - float(measured[f"{angle}_deg"])
-                found = float(row[f"{angle}_difference_deg"])
-                assert math.remainder(found - expected, 360) == pytest.approx(0, abs=2 * ROUNDED_DEG), (
-                    rhythm
-                )
+                error = math.remainder(float(row[f"{angle}_difference_deg"]) - expected, 360)
+                assert error == pytest.approx(0, abs=2 * ROUNDED_DEG), rhythm
 
 
 def test_positions_beyond_the_table_are_marked_or_left_out(
@@ -249,7 +247,7 @@ def test_the_same_options_give_the_same_bytes(girdle_fine: Girdle, tmp_path: Pat
 
 
 def test_a_table_of_ones_own_is_what_is_compared_with(girdle_fine: Girdle, tmp_path: Path) -> None:
-    """Every position the relaxed posture: a frozen girdle is what was measured, but for rounding."""
+    """The relaxed posture everywhere: a frozen girdle differs by rounding alone."""
     header = "plane_deg,elevation_deg," + ",".join(f"{name}_deg" for name in COORDINATES)
     places = [(plane, elevation) for plane in (0, 90) for elevation in (30, 60, 120)]
     rows = [f"{p},{e},-19.2,-5.9,0,60.0,-2.5,-8.4,{-e},0,0" for p, e in places]
@@ -283,8 +281,8 @@ def test_the_text_gives_the_figures_of_the_json(girdle_fine: Girdle) -> None:
 
 def test_the_text_says_what_a_ratio_is(girdle_fine: Girdle) -> None:
     text = girdle_fine("compare").text
-    definition = "(change of humeral elevation - change of upward rotation) / change of upward rotation"
-    assert definition in text
+    change = "change of upward rotation"
+    assert f"(change of humeral elevation - {change}) / {change}" in text
     assert "from elevation 30" in text
 
 

@@ -9,9 +9,9 @@
 #include <cmath>
 #include <cstddef>
 #include <glm/gtc/quaternion.hpp>
-#include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "kinematics/random_rotations.h"
@@ -24,10 +24,9 @@ namespace {
 constexpr double kRounding = 1e-12;
 constexpr SaidAngles kAll = {{true, true, true, true, true, true}};
 
-std::vector<double> Radians(const std::vector<double>& angles_deg) {
-  std::vector<double> angles_rad;
-  for (const double angle_deg : angles_deg) angles_rad.push_back(RadiansFromDegrees(angle_deg));
-  return angles_rad;
+std::vector<double> Radians(std::vector<double> angles_deg) {
+  for (double& angle : angles_deg) angle = RadiansFromDegrees(angle);
+  return angles_deg;
 }
 
 ComparisonMap Map(const std::vector<double>& elevations_deg,
@@ -36,8 +35,8 @@ ComparisonMap Map(const std::vector<double>& elevations_deg,
 }
 
 const ShoulderRhythm& Measured() {
-  static const ShoulderRhythm rhythm(BuiltInRhythmTable());
-  return rhythm;
+  static const ShoulderRhythm kRhythm(BuiltInRhythmTable());
+  return kRhythm;
 }
 
 // The measured girdle itself, changed by turns in clavicle and scapula: q_TC dC, q_TS dS.
