@@ -10,6 +10,7 @@
 #include <sstream>
 #include <string>
 
+#include "commands/compare_command.h"
 #include "commands/destep_command.h"
 #include "commands/generate_command.h"
 #include "commands/output_file.h"
@@ -66,6 +67,7 @@ int Run(int argc, char** argv) {
   AddGenerateCommand(program);
   AddSimulateCommand(program);
   AddVerifyCommand(program, residual_status);
+  AddCompareCommand(program);
   AddDestepCommand(program);
   program.footer("girdle VERB --help tells more, with examples.");
   RefuseEmptyWords(argc, argv);

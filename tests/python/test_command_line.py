@@ -10,7 +10,7 @@ import pytest
 from conftest import SCENE, Girdle, Refuses, contents, expect_one_message, with_scene
 from reference_rhythm import DATABASE
 
-VERBS = ("solve", "generate", "simulate", "verify", "destep")
+VERBS = ("solve", "generate", "simulate", "verify", "compare", "destep")
 
 # A complete command of each verb, given the scene of a model.
 ONE_POSE = ("solve", "--elevation", "23", "--plane", "50")
@@ -18,6 +18,7 @@ TABLE_OF_POSES = ("solve", "--in", "poses.csv")
 RAISE = ("simulate", SCENE, "--raise", "15:20", "--seconds", "0.1")
 VERIFY = ("verify", SCENE)
 GENERATE = ("generate", "--out", "new_model")
+COMPARE = ("compare", "--elevation", "30:120:30", "--plane", "0:90:45")
 DESTEP = ("destep", "--in", str(DATABASE), "--out", "smooth.csv")
 
 POSES = "elevation_deg,plane_deg\n23,50\n"
@@ -29,7 +30,7 @@ def commands(*rows: Command) -> pytest.MarkDecorator:
     return pytest.mark.parametrize("command", rows, ids=[" ".join(row) for row in rows])
 
 
-every_verb = commands(ONE_POSE, TABLE_OF_POSES, RAISE, VERIFY, GENERATE, DESTEP)
+every_verb = commands(ONE_POSE, TABLE_OF_POSES, RAISE, VERIFY, GENERATE, COMPARE, DESTEP)
 
 
 # --- Help ----------------------------------------------------------------------------------------
@@ -94,9 +95,9 @@ def test_a_missing_model_is_named(refuses: Refuses, command: Command) -> None:
     refuses(*command, because=("model", "--help"))
 
 
-# --- Choosing the rhythm, which three verbs share ------------------------------------------------
+# --- Choosing the rhythm, which four verbs share -------------------------------------------------
 
-every_verb_that_chooses = commands(ONE_POSE, VERIFY, GENERATE)
+every_verb_that_chooses = commands(ONE_POSE, VERIFY, GENERATE, COMPARE)
 
 
 @every_verb_that_chooses
@@ -160,7 +161,7 @@ def test_a_folder_that_cannot_be_made_is_refused(
     refuses("generate", "--out", place, because=(place, "cannot be", "--out"))
 
 
-@commands((*ONE_POSE, "--out"), (*RAISE, "--trace"), ("generate", "--out"), DESTEP[:-1])
+@commands((*ONE_POSE, "--out"), (*RAISE, "--trace"), ("generate", "--out"), DESTEP[:-1], (*COMPARE, "--out"))
 def test_a_place_without_a_name_is_refused_by_its_option(
     refuses: Refuses, generated: Path, command: Command
 ) -> None:
@@ -182,6 +183,8 @@ def test_a_place_without_a_name_is_refused_by_its_option(
     (*VERIFY, "--json"),
     (*DESTEP[:-1], "-"),
     (*DESTEP[:-1], "/dev/stdout"),
+    COMPARE,
+    (*COMPARE, "--json"),
 )
 def test_a_full_standard_output_is_an_error(
     girdle: Girdle, generated: Path, tmp_path: Path, command: Command

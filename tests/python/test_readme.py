@@ -81,6 +81,7 @@ def test_the_readme_shows_every_verb() -> None:
         "simulate",
         "verify",
         "destep",
+        "compare",
     }
 
 
@@ -103,3 +104,13 @@ def test_the_report_of_the_readme_has_the_lines_of_the_program(
     for line in shown[1].splitlines():
         if line not in ("...", ""):
             assert tiny.sub(" ~ ", line).rsplit("  ", 1)[0].split("~")[0].rstrip() in kept, line
+
+
+def test_the_comparison_of_the_readme_has_the_lines_of_the_program(
+    checkout: Path, program: Path
+) -> None:
+    printed = run(program, "compare", folder=checkout).splitlines()
+    shown = re.search(r"```\n(difference  .*?)\n```", README, re.DOTALL)
+    assert shown
+    for line in shown[1].splitlines():
+        assert line in ("...", "") or line in printed, line

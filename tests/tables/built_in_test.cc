@@ -40,7 +40,8 @@ INSTANTIATE_TEST_SUITE_P(
                     FileAndText("landmarks.csv", &built_in_files::kLandmarks),
                     FileAndText("segments.csv", &built_in_files::kSegments),
                     FileAndText("joint_ranges.csv", &built_in_files::kJointRanges),
-                    FileAndText("thorax_ellipsoids.csv", &built_in_files::kThoraxEllipsoids)));
+                    FileAndText("thorax_ellipsoids.csv", &built_in_files::kThoraxEllipsoids),
+                    FileAndText("published_rhythms.csv", &built_in_files::kPublishedRhythms)));
 
 TEST(BuiltInRhythmTable, IsTheShippedTable) {
   const RhythmTable table = BuiltInRhythmTable();

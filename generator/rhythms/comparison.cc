@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "rhythms/comparison.h"
+
+#include <cmath>
+
+namespace girdle {
+namespace {
+
+// The planes that were measured, and elevations that people know.
+constexpr std::array<double, 3> kRatioPlanes_deg = {0, 40, 90};
+constexpr std::array<double, 5> kRatioElevations_deg = {60, 90, 120, 150, 180};
+
+// Below this a scapula stands still: far above rounding, far below what can be measured.
+constexpr double kStill_rad = 1e-9;
+
+Vector3 AnglesOf(const Quaternion& q_AB) { return EulerFromQuaternion(EulerSequence::kYXZ, q_AB); }
+
+double UpwardRotation(const Quaternion& q_TS) { return -AnglesOf(q_TS).y; }
+
+// Root mean square and largest magnitude of one difference.
+class Extreme {
+ public:
+  void Add(double difference_rad, const MapPosition& position) {
+    square_sum_ += difference_rad * difference_rad;
+    ++count_;
+    if (count_ == 1 || std::abs(difference_rad) > std::abs(summary_.largest_rad)) {
+      summary_.largest_rad = difference_rad;
+      summary_.elevation_rad = position.elevation_rad;
+      summary_.plane_rad = position.plane_rad;
+    }
+  }
+
+  [[nodiscard]] std::optional<DifferenceSummary> Summary() const {
+    if (count_ == 0) {
+      return std::nullopt;
+    }
+    DifferenceSummary summary = summary_;
+    summary.rms_rad = std::sqrt(square_sum_ / static_cast<double>(count_));
+    return summary;
+  }
+
+ private:
+  DifferenceSummary summary_;
+  double square_sum_ = 0;
+  std::size_t count_ = 0;
+};
+
+class Extremes {
+ public:
+  void Add(const Differences& differences, const MapPosition& position) {
+    for (std::size_t k = 0; k < kDifferenceCount; ++k) {
+      if (differences[k]) {
+        extremes_[k].Add(*differences[k], position);
+      }
+    }
+  }
+
+  [[nodiscard]] DifferenceSummaries Summaries() const {
+    DifferenceSummaries summaries;
+    for (std::size_t k = 0; k < kDifferenceCount; ++k) {
+      summaries[k] = extremes_[k].Summary();
+    }
+    return summaries;
+  }
+
+ private:
+  std::array<Extreme, kDifferenceCount> extremes_;
+};
+
+RhythmComparison CompareOne(const PublishedRhythm& rhythm,
+                            const std::vector<MapPosition>& positions) {
+  Extremes in_table;
+  Extremes on_map;
+  for (const MapPosition& position : positions) {
+    const Differences differences = DifferencesAt(
+        position, rhythm.girdle(position.elevation_rad, position.plane_rad), rhythm.said);
+    on_map.Add(differences, position);
+    if (position.is_in_table) {
+      in_table.Add(differences, position);
+    }
+  }
+  return {rhythm, in_table.Summaries(), on_map.Summaries()};
+}
+
+// Upward rotation of the measured rhythm [rad], nothing where it is clamped.
+std::optional<double> MeasuredUpwardRotation(const ShoulderRhythm& measured, double elevation_rad,
+                                             double plane_rad) {
+  const ShoulderSolution solution = measured.Solve({elevation_rad, plane_rad, 0});
+  if (solution.clamped) {
+    return std::nullopt;
+  }
+  return UpwardRotation(solution.pose.q_TS());
+}
+
+RatioRow RatiosAt(const ShoulderRhythm& measured, const std::vector<PublishedRhythm>& published,
+                  double elevation_rad, double plane_rad) {
+  RatioRow row{plane_rad, elevation_rad, std::nullopt, {}};
+  const double elevation_change_rad = elevation_rad - kRatioFrom_rad;
+  const auto from_rad = MeasuredUpwardRotation(measured, kRatioFrom_rad, plane_rad);
+  const auto to_rad = MeasuredUpwardRotation(measured, elevation_rad, plane_rad);
+  if (from_rad && to_rad) {
+    row.measured = ScapulohumeralRatio(elevation_change_rad, *to_rad - *from_rad);
+  }
+  for (const PublishedRhythm& rhythm : published) {
+    row.published.push_back(ScapulohumeralRatio(
+        elevation_change_rad, UpwardRotation(rhythm.girdle(elevation_rad, plane_rad).q_TS) -
+                                  UpwardRotation(rhythm.girdle(kRatioFrom_rad, plane_rad).q_TS)));
+  }
+  return row;
+}
+
+}  // namespace
+
+std::vector<MapPosition> PositionsOf(const ShoulderRhythm& measured, const ComparisonMap& map) {
+  const std::vector<double>& elevations_rad = measured.table().elevations_rad();
+  const std::vector<double>& planes_rad = measured.table().planes_rad();
+  std::vector<MapPosition> positions;
+  for (const double elevation_rad : map.elevations_rad) {
+    for (const double plane_rad : map.planes_rad) {
+      const ShoulderSolution solution = measured.Solve({elevation_rad, plane_rad, 0});
+      if (!solution.clamped) {
+        positions.push_back(
+            {elevation_rad, plane_rad, solution.pose,
+             elevation_rad >= elevations_rad.front() && elevation_rad <= elevations_rad.back() &&
+                 plane_rad >= planes_rad.front() && plane_rad <= planes_rad.back()});
+      }
+    }
+  }
+  return positions;
+}
+
+Differences DifferencesAt(const MapPosition& position, const GirdlePose& girdle,
+                          const SaidAngles& said) noexcept {
+  const ShoulderPose& measured = position.measured;
+  const ShoulderPose pose = WithHumerus(girdle, measured.q_TH());
+  Differences differences;
+  const auto set = [&differences](ComparedAngle which, double difference_rad) {
+    differences[static_cast<std::size_t>(which)] = difference_rad;
+  };
+  if (said.Clavicle()) {
+    set(ComparedAngle::kSc, AngleBetween(pose.q_TC, measured.q_TC));
+  }
+  if (said.Clavicle() && said.Scapula()) {
+    set(ComparedAngle::kAc, AngleBetween(pose.q_CS, measured.q_CS));
+  }
+  if (said.Scapula()) {
+    set(ComparedAngle::kGh, AngleBetween(pose.q_SH, measured.q_SH));
+  }
+  const Vector3 sc = AnglesOf(girdle.q_TC) - AnglesOf(measured.q_TC);
+  const Vector3 st = AnglesOf(girdle.q_TS) - AnglesOf(measured.q_TS());
+  const auto set_angle = [&said, &set](std::size_t angle, ComparedAngle which,
+                                       double difference_rad) {
+    if (said.angles[angle]) {
+      set(which, std::remainder(difference_rad, 2 * kPi));
+    }
+  };
+  set_angle(0, ComparedAngle::kProtraction, sc.x);
+  set_angle(1, ComparedAngle::kClavicleElevation, sc.y);
+  set_angle(3, ComparedAngle::kInternalRotation, st.x);
+  set_angle(4, ComparedAngle::kUpwardRotation, st.y);
+  set_angle(5, ComparedAngle::kTilt, st.z);
+  return differences;
+}
+
+std::optional<double> ScapulohumeralRatio(double elevation_change_rad,
+                                          double upward_rotation_change_rad) noexcept {
+  if (std::abs(upward_rotation_change_rad) < kStill_rad) {
+    return std::nullopt;
+  }
+  return (elevation_change_rad - upward_rotation_change_rad) / upward_rotation_change_rad;
+}
+
+Comparison Compare(const ShoulderRhythm& measured, const std::vector<PublishedRhythm>& published,
+                   const ComparisonMap& map) {
+  const std::vector<MapPosition> positions = PositionsOf(measured, map);
+  Comparison comparison;
+  comparison.options = measured.options();
+  comparison.map = map;
+  comparison.compared_on_map = positions.size();
+  for (const MapPosition& position : positions) {
+    comparison.compared_in_table += position.is_in_table ? 1 : 0;
+  }
+  comparison.table_from_elevation_rad = measured.table().elevations_rad().front();
+  comparison.table_to_elevation_rad = measured.table().elevations_rad().back();
+  comparison.table_from_plane_rad = measured.table().planes_rad().front();
+  comparison.table_to_plane_rad = measured.table().planes_rad().back();
+  for (const PublishedRhythm& rhythm : published) {
+    comparison.rhythms.push_back(CompareOne(rhythm, positions));
+  }
+  for (const double plane_deg : kRatioPlanes_deg) {
+    for (const double elevation_deg : kRatioElevations_deg) {
+      comparison.ratios.push_back(RatiosAt(measured, published, RadiansFromDegrees(elevation_deg),
+                                           RadiansFromDegrees(plane_deg)));
+    }
+  }
+  return comparison;
+}
+
+}  // namespace girdle
