@@ -1,0 +1,620 @@
+# SPDX-FileCopyrightText: 2026 The Girdle authors
+# SPDX-License-Identifier: Apache-2.0
+"""The smooth interpolant, exact closure and the whole range, written a second time.
+
+Straight and slow, from the equations alone: the program is tested against this file, so nothing
+here is taken from it. Where an equation has a derivative in it, this file takes differences.
+
+Frames, sequences and signs are those of reference_rhythm. A name that ends in _deg is in degrees,
+all else in radians. Everything is computed for many poses at once: a rotation is an array (4, N)
+of quaternions w, x, y, z, a vector one of (3, N), and `multiply` of reference_rhythm takes them as
+they are. A vector of `logs` and `exps` is the whole rotation vector, not half of it.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from reference_rhythm import (
+    JOINT_COORDINATES,
+    JOINT_SEQUENCES,
+    Array,
+    Position,
+    multiply,
+    quaternion_from_euler,
+)
+
+Closure = Literal["table", "exact"]
+Extent = Literal["clamp", "whole"]
+
+# What was measured, and where the rule of the whole range ends.
+LOWEST_MEASURED, HIGHEST_MEASURED = math.radians(15.0), math.radians(120.0)
+FRONTAL, SAGITTAL = 0.0, math.radians(90.0)
+HANGING, STRAIGHT_UP = 0.0, math.radians(180.0)
+HIGHEST_PLANE = math.radians(135.0)
+
+# The lowest plane that an arm can reach, by elevation: straight lines between these, level outside.
+REACH_ELEVATIONS_DEG = (60.0, 85.0)
+REACH_PLANES_DEG = (-60.0, -30.0)
+
+# Across the borders of plane: how far the edge's velocity carries on, and how far the bone turns
+# about the parent's y with a raised arm in front of the sagittal plane (rad/rad).
+PLANE_FADE = math.radians(5.0)
+TURN_WITH_PLANE = {"sc": 0.34, "ac": 0.11}
+
+# Above the table: the mean rate is that from here to the highest measured elevation, the edge's own
+# velocity fades out within the second length, the rate holds up to the third.
+MEAN_RATE_FROM = math.radians(90.0)
+RISE_FADE = math.radians(15.0)
+STEADY_RISE = math.radians(30.0)
+
+# The joints' Euler angles (deg) with the arm hanging and with the arm straight up.
+HANGING_DEG = {"sc": (-21.5, -9.5, -2.0), "ac": (55.0, -5.0, -6.0)}
+STRAIGHT_UP_DEG = {"sc": (-54.0, -21.0, 37.0), "ac": (63.0, -23.0, 28.0)}
+
+# gh_axial is given above this (deg) and up to a turn more; the other angles within half a turn.
+LOWEST_AXIAL_DEG = -225.0
+
+NOT_A_KNOT_KNOTS = 4
+PARABOLA_KNOTS = 3
+
+
+# --- Quaternions ---------------------------------------------------------------------------------
+
+
+def inverses(q: Array) -> Array:
+    return np.stack([q[0], -q[1], -q[2], -q[3]])
+
+
+def logs(q: Array) -> Array:
+    """The rotation vectors, at most half a turn long; the signs of the quaternions do not count."""
+    q = np.where(q[0] < 0.0, -q, q)
+    sine = np.linalg.norm(q[1:], axis=0)
+    angle = 2.0 * np.arctan2(sine, q[0])
+    # Where the sine is zero the angle is twice the sine.
+    return q[1:] * np.where(sine > 0.0, angle / np.where(sine > 0.0, sine, 1.0), 2.0)
+
+
+def exps(vector: Array) -> Array:
+    half = np.linalg.norm(vector, axis=0) / 2.0
+    # sinc(x) is sin(pi x) / (pi x).
+    return np.concatenate(([np.cos(half)], 0.5 * np.sinc(half / math.pi) * vector))
+
+
+def turns(axis: str, angle: Array) -> Array:
+    """The rotations by an angle about one of the axes."""
+    q = np.zeros((4, *np.shape(angle)))
+    q[0] = np.cos(angle / 2.0)
+    q["xyz".index(axis) + 1] = np.sin(angle / 2.0)
+    return q
+
+
+def turned(q: Array, vector: Array) -> Array:
+    """The vectors, given in the child's frame, in the parent's."""
+    pure = np.concatenate((np.zeros((1, *vector.shape[1:])), vector))
+    return multiply(multiply(q, pure), inverses(q))[1:]
+
+
+def angles_between_deg(a: Array, b: Array) -> Array:
+    return np.degrees(np.linalg.norm(logs(multiply(inverses(a), b)), axis=0))
+
+
+def euler_quaternions(sequence: str, angles_deg: Array) -> Array:
+    """The intrinsic rotations of angles (3, N)."""
+    first, second, third = (
+        turns(axis, np.radians(angle_deg))
+        for axis, angle_deg in zip(sequence, angles_deg, strict=True)
+    )
+    return multiply(multiply(first, second), third)
+
+
+def euler_angles_deg(sequence: str, q: Array) -> Array:
+    """Angles (3, N) of a sequence of three different axes, the second within -90..90.
+
+    With i, j, k the axes and e = 1 where they are in cyclic order, else -1, R = Ri(a) Rj(b) Rk(c)
+    has R_ik = e sin b, R_jk = -e sin a cos b, R_kk = cos a cos b, R_ij = -e cos b sin c and
+    R_ii = cos b cos c.
+    """
+    i, j, k = ("xyz".index(axis) for axis in sequence)
+    e = 1.0 if (j - i) % 3 == 1 else -1.0
+    unit = np.eye(3)
+    axes = [turned(q, np.repeat(unit[:, [n]], q.shape[1], axis=1)) for n in range(3)]
+    return np.degrees(
+        [
+            np.arctan2(-e * axes[k][j], axes[k][k]),
+            np.arctan2(e * axes[k][i], np.hypot(axes[i][i], axes[j][i])),
+            np.arctan2(-e * axes[j][i], axes[i][i]),
+        ]
+    )
+
+
+def mean_rotation(q: Array) -> Array:
+    """The Frechet mean: q <- exp(mean of log(q_i q^-1)) q until it stays."""
+    mean = q[:, :1]
+    while True:
+        step = np.mean(logs(multiply(q, inverses(mean))), axis=1, keepdims=True)
+        mean = multiply(exps(step), mean)
+        mean = mean / np.linalg.norm(mean)
+        if np.linalg.norm(step) < 1e-15:
+            return mean
+
+
+# --- The arm -------------------------------------------------------------------------------------
+
+
+def arm_direction(theta: Array, psi: Array) -> Array:
+    """From shoulder to elbow, unit vectors in the thorax."""
+    return np.stack([np.sin(theta) * np.sin(psi), -np.cos(theta), np.sin(theta) * np.cos(psi)])
+
+
+def swing(theta: Array, psi: Array) -> Array:
+    """S, the smallest rotation that takes the hanging arm, -y, to the direction (theta, psi).
+
+    It turns by theta about -y x direction, which is (-cos psi, 0, sin psi) sin theta.
+    """
+    axis = np.stack([-np.cos(psi), np.zeros_like(psi), np.sin(psi)])
+    return exps(theta * axis)
+
+
+def twist(q_TH: Array) -> Array:
+    """tau of q_TH = S Ry(tau) with S a smallest rotation, which has no y, within half a turn."""
+    return 2.0 * np.arctan2(q_TH[2], q_TH[0])
+
+
+def lowest_plane_deg(elevation_deg: Array) -> Array:
+    return np.interp(elevation_deg, REACH_ELEVATIONS_DEG, REACH_PLANES_DEG)
+
+
+def distance_from_measured_deg(elevation_deg: Array, plane_deg: Array) -> Array:
+    """The smallest angle from the arm to one of elevation 15..120 and plane 0..90.
+
+    The cosine of the angle between the directions (theta, psi) and (t, p) is
+
+        cos(theta) cos(t) + sin(theta) cos(psi - p) sin(t)
+
+    so the best p is the one nearest to psi, whatever t is, and the sum is a cosine of t with its
+    top at atan2(sin(theta) cos(psi - p), cos(theta)). Where that t is not measured, the best is at
+    one of the ends.
+    """
+    theta = np.radians(np.clip(elevation_deg, 0.0, 180.0))
+    psi = np.radians(np.asarray(plane_deg, dtype=float))
+    arm = arm_direction(theta, psi)
+
+    middle = (FRONTAL + SAGITTAL) / 2.0
+    # psi as seen from the middle of the measured planes, within half a turn.
+    around = np.arctan2(np.sin(psi - middle), np.cos(psi - middle))
+    p = middle + np.clip(around, FRONTAL - middle, SAGITTAL - middle)
+    top = np.arctan2(np.sin(theta) * np.cos(psi - p), np.cos(theta))
+    distances = []
+    for t in (
+        np.full_like(theta, LOWEST_MEASURED),
+        np.clip(top, LOWEST_MEASURED, HIGHEST_MEASURED),
+        np.full_like(theta, HIGHEST_MEASURED),
+    ):
+        chord = np.linalg.norm(arm - arm_direction(t, p), axis=0)
+        distances.append(2.0 * np.degrees(np.arcsin(np.minimum(chord / 2.0, 1.0))))
+    return np.min(distances, axis=0)
+
+
+# --- Splines -------------------------------------------------------------------------------------
+
+
+class Spline:
+    """The interpolating spline over knots, as weights of the values at the knots.
+
+    From four knots on a cubic in every interval, with continuous first and second derivatives, and
+    with a continuous third one at the first and at the last knot inside. With three, the parabola
+    through all. Outside the knots the first and the last polynomial go on.
+    """
+
+    def __init__(self, knots: Sequence[float]) -> None:
+        self.knots = np.array(knots, dtype=float)
+        self.widths = np.diff(self.knots)
+        if len(self.knots) < PARABOLA_KNOTS:
+            raise ValueError(f"{len(self.knots)} knots, expected at least {PARABOLA_KNOTS}")
+        # coefficients[i, power] are those of s^power in the interval i, s = (x - x_i) / width, as
+        # weights of the values.
+        self.coefficients = (
+            self.parabola() if len(self.knots) == PARABOLA_KNOTS else self.not_a_knot()
+        )
+
+    def not_a_knot(self) -> Array:
+        count = len(self.knots)
+        intervals = count - 1
+        equations: list[tuple[Array, Array]] = []
+
+        def equation(left: dict[tuple[int, int], float], knot: int | None = None) -> None:
+            row = np.zeros((intervals, 4))
+            for place, factor in left.items():
+                row[place] = factor
+            right = np.eye(count)[knot] if knot is not None else np.zeros(count)
+            equations.append((row.ravel(), right))
+
+        for i in range(intervals):
+            equation({(i, 0): 1.0}, knot=i)
+            equation({(i, power): 1.0 for power in range(4)}, knot=i + 1)
+        for i in range(intervals - 1):
+            a, b = self.widths[i], self.widths[i + 1]
+            equation({(i, 1): 1.0 / a, (i, 2): 2.0 / a, (i, 3): 3.0 / a, (i + 1, 1): -1.0 / b})
+            equation({(i, 2): 2.0 / a**2, (i, 3): 6.0 / a**2, (i + 1, 2): -2.0 / b**2})
+        for i in (0, intervals - 2):
+            a, b = self.widths[i], self.widths[i + 1]
+            equation({(i, 3): 6.0 / a**3, (i + 1, 3): -6.0 / b**3})
+
+        left, right = (np.array(side) for side in zip(*equations, strict=True))
+        # Divided by its largest number, no equation drowns in another.
+        size = np.abs(left).max(axis=1, keepdims=True)
+        return np.linalg.solve(left / size, right / size).reshape(intervals, 4, count)
+
+    def parabola(self) -> Array:
+        powers = np.vander(self.knots, PARABOLA_KNOTS, increasing=True)
+        # c[0] + c[1] x + c[2] x^2
+        c = np.linalg.solve(powers, np.eye(PARABOLA_KNOTS))
+        intervals = zip(self.knots[:-1], self.widths, strict=True)
+        return np.array(
+            [
+                [powers[i] @ c, (c[1] + 2.0 * c[2] * x) * h, c[2] * h**2, np.zeros(PARABOLA_KNOTS)]
+                for i, (x, h) in enumerate(intervals)
+            ]
+        )
+
+    def weights(self, x: Array) -> Array:
+        """What each of the values counts at x, (N, knots)."""
+        interval = np.clip(np.searchsorted(self.knots, x) - 1, 0, len(self.widths) - 1)
+        s = (x - self.knots[interval]) / self.widths[interval]
+        powers = np.stack([np.ones_like(s), s, s**2, s**3], axis=1)
+        return np.einsum("np,npk->nk", powers, self.coefficients[interval])
+
+
+def rate(f: Callable[[float], Array]) -> Array:
+    """The derivative of f(x) at x = 0, by the five-point formula, whose error is of order h^4.
+
+    (8 (f(h) - f(-h)) - (f(2h) - f(-2h))) / (12 h)
+    """
+    h = 1e-3
+    return (8.0 * (f(h) - f(-h)) - (f(2.0 * h) - f(-2.0 * h))) / (12.0 * h)
+
+
+# --- The rhythm ----------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class SmoothPoses:
+    """What became of N commands; every array ends in N."""
+
+    elevation_deg: Array  # the command that was used
+    plane_deg: Array
+    clamped: Array  # bool: it is another one than the given
+    distance_deg: Array
+    rotations: dict[str, Array]  # "sc" q_TC, "ac" q_CS, "gh" q_SH
+    angles_deg: dict[str, Array]  # by coordinate
+
+
+@dataclass(frozen=True)
+class Command:
+    """The commands (rad), elevation and plane where they can be answered."""
+
+    theta: Array
+    psi: Array
+    axial: Array
+    shrug: Array
+    protraction: Array
+
+    def moved(self, d_theta: float, d_psi: float) -> Command:
+        return Command(
+            self.theta + d_theta, self.psi + d_psi, self.axial, self.shrug, self.protraction
+        )
+
+
+class SmoothRhythm:
+    """SC, AC, GH and the humerus's own turn, continuous to the second derivative in the table."""
+
+    def __init__(self, positions: list[Position]) -> None:
+        self.elevations_deg = sorted({p.elevation_deg for p in positions})
+        self.planes_deg = sorted({p.plane_deg for p in positions})
+        if len(self.elevations_deg) < NOT_A_KNOT_KNOTS:
+            raise ValueError(
+                f"{len(self.elevations_deg)} elevations, expected at least {NOT_A_KNOT_KNOTS}"
+            )
+        self.along_theta = Spline(np.radians(self.elevations_deg))
+        self.along_psi = Spline(np.radians(self.planes_deg))
+
+        by_place = {(p.elevation_deg, p.plane_deg): p for p in positions}
+        shape = (len(self.elevations_deg), len(self.planes_deg))
+        grid = [by_place[theta, psi] for theta in self.elevations_deg for psi in self.planes_deg]
+        q = {j: np.array([p.rotation(j) for p in grid]).T for j in JOINT_SEQUENCES}
+        self.means = {joint: mean_rotation(q[joint]) for joint in q}
+        # u_i = log(q_i m^-1), values[joint][component, theta, psi]
+        self.values = {
+            joint: logs(multiply(q[joint], inverses(self.means[joint]))).reshape(3, *shape)
+            for joint in q
+        }
+        tau = twist(multiply(multiply(q["sc"], q["ac"]), q["gh"])).reshape(shape)
+        self.tau_values = np.unwrap(np.unwrap(tau, axis=0), axis=1)
+
+        self.hanging, self.straight_up = (
+            {j: quaternion_from_euler(JOINT_SEQUENCES[j], a)[:, None] for j, a in angles.items()}
+            for angles in (HANGING_DEG, STRAIGHT_UP_DEG)
+        )
+
+    # --- Inside the table ---
+
+    def spline(self, values: Array, theta: Array, psi: Array) -> Array:
+        return np.einsum(
+            "nt,...tp,np->...n",
+            self.along_theta.weights(theta),
+            values,
+            self.along_psi.weights(psi),
+            optimize=True,
+        )
+
+    def table_rotation(self, joint: str, theta: Array, psi: Array) -> Array:
+        """q = exp(u) m"""
+        return multiply(exps(self.spline(self.values[joint], theta, psi)), self.means[joint])
+
+    def table_tau(self, theta: Array, psi: Array) -> Array:
+        return self.spline(self.tau_values, theta, psi)
+
+    # --- Any plane, elevations as measured ---
+
+    @staticmethod
+    def beyond_plane(psi: Array) -> tuple[Array, Array, Array]:
+        """The nearest measured plane e, x = psi - e, and g = sign(x) L (1 - exp(-|x| / L))."""
+        e = np.clip(psi, FRONTAL, SAGITTAL)
+        x = psi - e
+        return e, x, np.sign(x) * PLANE_FADE * (1.0 - np.exp(-np.abs(x) / PLANE_FADE))
+
+    def plane_rotation(self, joint: str, theta: Array, psi: Array) -> Array:
+        """q(theta, psi) = Ry(k sin(theta) (x - g)) q(theta, e) exp(w g), w = d q / d psi at e."""
+        e, x, g = self.beyond_plane(psi)
+        k = np.where(x > 0.0, TURN_WITH_PLANE[joint], 0.0)
+        q = self.table_rotation(joint, theta, e)
+        w = rate(lambda h: logs(multiply(inverses(q), self.table_rotation(joint, theta, e + h))))
+        return multiply(multiply(turns("y", k * np.sin(theta) * (x - g)), q), exps(w * g))
+
+    def plane_tau(self, theta: Array, psi: Array) -> Array:
+        """tau(theta, e) + w g + sin(min(theta, 90)) (x - g)"""
+        e, x, g = self.beyond_plane(psi)
+        w = rate(lambda h: self.table_tau(theta, e + h))
+        with_plane = np.sin(np.minimum(theta, math.radians(90.0))) * (x - g)
+        return self.table_tau(theta, e) + w * g + with_plane
+
+    # --- Any elevation ---
+
+    def low_rotation(self, joint: str, theta: Array, psi: Array) -> Array:
+        """q = q15 exp(V (3 s^2 - 2 s^3) - 15 w (s - 2 s^2 + s^3)), s = 1 - theta / 15."""
+        q_15 = self.plane_rotation(joint, np.full_like(psi, LOWEST_MEASURED), psi)
+        w = rate(
+            lambda h: logs(
+                multiply(
+                    inverses(q_15),
+                    self.plane_rotation(joint, np.full_like(psi, LOWEST_MEASURED + h), psi),
+                )
+            )
+        )
+        v_0 = logs(multiply(inverses(q_15), self.hanging[joint]))
+        s = 1.0 - theta / LOWEST_MEASURED
+        v = v_0 * (3.0 * s**2 - 2.0 * s**3) - LOWEST_MEASURED * w * (s - 2.0 * s**2 + s**3)
+        return multiply(q_15, exps(v))
+
+    def low_tau(self, theta: Array, psi: Array) -> Array:
+        """tau15 + (tau0 - tau15) (3 s^2 - 2 s^3) - 15 w (s - 2 s^2 + s^3)"""
+        tau_15 = self.plane_tau(np.full_like(psi, LOWEST_MEASURED), psi)
+        w = rate(lambda h: self.plane_tau(np.full_like(psi, LOWEST_MEASURED + h), psi))
+        tau_0 = self.hanging_tau()
+        s = 1.0 - theta / LOWEST_MEASURED
+        return (
+            tau_15
+            + (tau_0 - tau_15) * (3.0 * s**2 - 2.0 * s**3)
+            - LOWEST_MEASURED * w * (s - 2.0 * s**2 + s**3)
+        )
+
+    def hanging_tau(self) -> float:
+        """The mean over the table's planes at 15."""
+        planes = np.radians(self.planes_deg)
+        return float(np.mean(self.table_tau(np.full_like(planes, LOWEST_MEASURED), planes)))
+
+    def high_rotation(self, joint: str, theta: Array, psi: Array) -> Array:
+        """q = q120 exp(v), x = theta - 120:
+
+        x <= 30:  v = w x + [x < 15] (we - w) x (1 - x / 15)^2
+        x > 30:   v = 30 w (1 - 3 s^2 + 2 s^3) + V (3 s^2 - 2 s^3) + 30 w (s - 2 s^2 + s^3),
+                  s = (x - 30) / 30
+
+        w the mean rate from 90 to 120, we the velocity at 120, V the way to straight up.
+        """
+        q_120 = self.plane_rotation(joint, np.full_like(psi, HIGHEST_MEASURED), psi)
+        q_90 = self.plane_rotation(joint, np.full_like(psi, MEAN_RATE_FROM), psi)
+        w = logs(multiply(inverses(q_90), q_120)) / (HIGHEST_MEASURED - MEAN_RATE_FROM)
+        we = rate(
+            lambda h: logs(
+                multiply(
+                    inverses(q_120),
+                    self.plane_rotation(joint, np.full_like(psi, HIGHEST_MEASURED + h), psi),
+                )
+            )
+        )
+        v_180 = logs(multiply(inverses(q_120), self.straight_up[joint]))
+        x = theta - HIGHEST_MEASURED
+        fading = np.where(x < RISE_FADE, x * (1.0 - x / RISE_FADE) ** 2, 0.0)
+        steady = w * x + (we - w) * fading
+        s = (x - STEADY_RISE) / (STRAIGHT_UP - HIGHEST_MEASURED - STEADY_RISE)
+        w_30 = STEADY_RISE * w
+        rising = (
+            w_30 * (1.0 - 3.0 * s**2 + 2.0 * s**3)
+            + v_180 * (3.0 * s**2 - 2.0 * s**3)
+            + w_30 * (s - 2.0 * s**2 + s**3)
+        )
+        return multiply(q_120, exps(np.where(x <= STEADY_RISE, steady, rising)))
+
+    def high_tau(self, theta: Array, psi: Array) -> Array:
+        """tau(120, psi) + we x (1 - x / 15)^2 for x < 15, and constant after."""
+        tau_120 = self.plane_tau(np.full_like(psi, HIGHEST_MEASURED), psi)
+        we = rate(lambda h: self.plane_tau(np.full_like(psi, HIGHEST_MEASURED + h), psi))
+        x = theta - HIGHEST_MEASURED
+        return tau_120 + np.where(x < RISE_FADE, we * x * (1.0 - x / RISE_FADE) ** 2, 0.0)
+
+    @staticmethod
+    def by_elevation(
+        theta: Array,
+        psi: Array,
+        low: Callable[[Array, Array], Array],
+        measured: Callable[[Array, Array], Array],
+        high: Callable[[Array, Array], Array],
+    ) -> Array:
+        """Each pose by the rule of its elevation."""
+        where_low, where_high = theta < LOWEST_MEASURED, theta > HIGHEST_MEASURED
+        between = ~(where_low | where_high)
+        low_ones, measured_ones, high_ones = (
+            rule(theta[where], psi[where])
+            for where, rule in ((where_low, low), (between, measured), (where_high, high))
+        )
+        result = np.empty((*measured_ones.shape[:-1], len(theta)))
+        result[..., where_low] = low_ones
+        result[..., between] = measured_ones
+        result[..., where_high] = high_ones
+        return result
+
+    def whole_rotation(self, joint: str, theta: Array, psi: Array) -> Array:
+        return self.by_elevation(
+            theta,
+            psi,
+            lambda t, p: self.low_rotation(joint, t, p),
+            lambda t, p: self.plane_rotation(joint, t, p),
+            lambda t, p: self.high_rotation(joint, t, p),
+        )
+
+    def whole_tau(self, theta: Array, psi: Array) -> Array:
+        return self.by_elevation(theta, psi, self.low_tau, self.plane_tau, self.high_tau)
+
+    # --- Poses ---
+
+    def joint_rotations(
+        self, command: Command, closure: Closure, extent: Extent
+    ) -> dict[str, Array]:
+        """q_TC, q_CS and q_SH. Just outside the extent the formula of its edge goes on."""
+        theta, psi = command.theta, command.psi
+        if extent == "whole":
+            q_TC, q_CS = (self.whole_rotation(joint, theta, psi) for joint in ("sc", "ac"))
+            tau = self.whole_tau(theta, psi)
+        else:
+            q_TC, q_CS = (self.table_rotation(joint, theta, psi) for joint in ("sc", "ac"))
+            tau = self.table_tau(theta, psi)
+
+        if closure == "table":
+            q_SH = multiply(self.table_rotation("gh", theta, psi), turns("y", command.axial))
+            return {"sc": q_TC, "ac": q_CS, "gh": q_SH}
+
+        # Protraction adds to the clavicle's first angle; its second, elevation, is negative.
+        angles_deg = euler_angles_deg("yxz", q_TC)
+        angles_deg[0] += np.degrees(command.protraction)
+        angles_deg[1] -= np.degrees(command.shrug)
+        q_TC = euler_quaternions("yxz", angles_deg)
+
+        # q_TH = S Ry(tau + axial), q_SH = (q_TC q_CS)^-1 q_TH
+        q_TH = multiply(swing(theta, psi), turns("y", tau + command.axial))
+        q_SH = multiply(inverses(multiply(q_TC, q_CS)), q_TH)
+        return {"sc": q_TC, "ac": q_CS, "gh": q_SH}
+
+    def answerable(
+        self, elevation_deg: Array, plane_deg: Array, extent: Extent
+    ) -> tuple[Array, Array]:
+        """The nearest elevation, and at that elevation the nearest plane."""
+        if extent == "clamp":
+            return (
+                np.clip(elevation_deg, self.elevations_deg[0], self.elevations_deg[-1]),
+                np.clip(plane_deg, self.planes_deg[0], self.planes_deg[-1]),
+            )
+        theta_deg = np.clip(elevation_deg, math.degrees(HANGING), math.degrees(STRAIGHT_UP))
+        highest_deg = math.degrees(HIGHEST_PLANE)
+        return theta_deg, np.clip(plane_deg, lowest_plane_deg(theta_deg), highest_deg)
+
+    def command(
+        self,
+        elevation_deg: Array,
+        plane_deg: Array,
+        axial_deg: Array | float,
+        shrug_deg: Array | float,
+        protraction_deg: Array | float,
+        closure: Closure,
+        extent: Extent,
+    ) -> Command:
+        if closure == "table" and extent == "whole":
+            raise ValueError("nothing is measured outside the table for its own closure")
+        if closure == "table" and (np.any(shrug_deg) or np.any(protraction_deg)):
+            raise ValueError("an offset of the clavicle needs the exact closure")
+        theta_deg, psi_deg = self.answerable(elevation_deg, plane_deg, extent)
+        return Command(
+            *(
+                np.radians(np.broadcast_to(value, theta_deg.shape))
+                for value in (theta_deg, psi_deg, axial_deg, shrug_deg, protraction_deg)
+            )
+        )
+
+    def solve(
+        self,
+        elevation_deg: Array,
+        plane_deg: Array,
+        axial_deg: Array | float = 0.0,
+        shrug_deg: Array | float = 0.0,
+        protraction_deg: Array | float = 0.0,
+        closure: Closure = "exact",
+        extent: Extent = "whole",
+    ) -> SmoothPoses:
+        elevation_deg, plane_deg = (
+            np.atleast_1d(np.asarray(value, dtype=float)) for value in (elevation_deg, plane_deg)
+        )
+        command = self.command(
+            elevation_deg, plane_deg, axial_deg, shrug_deg, protraction_deg, closure, extent
+        )
+        theta_deg, psi_deg = self.answerable(elevation_deg, plane_deg, extent)
+        rotations = self.joint_rotations(command, closure, extent)
+        angles_deg: dict[str, Array] = {}
+        for joint, q in rotations.items():
+            angles = euler_angles_deg(JOINT_SEQUENCES[joint], q)
+            angles_deg.update(zip(JOINT_COORDINATES[joint], angles, strict=True))
+        axial = angles_deg["gh_axial"]
+        angles_deg["gh_axial"] = np.where(axial > LOWEST_AXIAL_DEG + 360.0, axial - 360.0, axial)
+        return SmoothPoses(
+            elevation_deg=theta_deg,
+            plane_deg=psi_deg,
+            clamped=(theta_deg != elevation_deg) | (psi_deg != plane_deg),
+            distance_deg=distance_from_measured_deg(elevation_deg, plane_deg),
+            rotations=rotations,
+            angles_deg=angles_deg,
+        )
+
+    def rates(
+        self,
+        elevation_deg: Array,
+        plane_deg: Array,
+        axial_deg: Array | float = 0.0,
+        shrug_deg: Array | float = 0.0,
+        protraction_deg: Array | float = 0.0,
+        closure: Closure = "exact",
+        extent: Extent = "whole",
+    ) -> dict[str, dict[str, Array]]:
+        """Angular velocities of child in parent, in the parent's axes, by joint and by command.
+
+        w = 2 (d q / d t) q^-1, t the elevation or the plane: rad per rad. By central differences,
+        good to 1e-7 where the second derivative is continuous and to a few steps where it is not.
+        """
+        elevation_deg, plane_deg = (
+            np.atleast_1d(np.asarray(value, dtype=float)) for value in (elevation_deg, plane_deg)
+        )
+        command = self.command(
+            elevation_deg, plane_deg, axial_deg, shrug_deg, protraction_deg, closure, extent
+        )
+        h = 1e-6
+        result: dict[str, dict[str, Array]] = {joint: {} for joint in JOINT_SEQUENCES}
+        for name, d_theta, d_psi in (("elevation", h, 0.0), ("plane", 0.0, h)):
+            after = self.joint_rotations(command.moved(d_theta, d_psi), closure, extent)
+            before = self.joint_rotations(command.moved(-d_theta, -d_psi), closure, extent)
+            for joint in JOINT_SEQUENCES:
+                change = logs(multiply(after[joint], inverses(before[joint])))
+                result[joint][name] = change / (2.0 * h)
+        return result

@@ -1,0 +1,247 @@
+# SPDX-FileCopyrightText: 2026 The Girdle authors
+# SPDX-License-Identifier: Apache-2.0
+"""The program's smooth rhythm against the reference, which was written from the equations alone."""
+
+from __future__ import annotations
+
+import csv
+import itertools
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import pytest
+from conftest import RunProgram
+from reference_rhythm import COORDINATES, JOINT_SEQUENCES, Array, Position
+from reference_smooth import (
+    REACH_ELEVATIONS_DEG,
+    Closure,
+    Extent,
+    SmoothPoses,
+    SmoothRhythm,
+    lowest_plane_deg,
+)
+
+SEED = 20090201
+RANDOM_POSES = 2500
+
+# Two implementations in double precision differ by 1e-9 or so: the reference takes differences
+# where the rule has a derivative in it.
+AGREEMENT_DEG = 1e-6
+# A knot has no rule in it, only the way to a rotation vector and back, and the printed digits.
+TABLE_DEG = 1e-9
+# An arc cosine of nearly one, a legitimate way to write a small distance, costs as much.
+DISTANCE_DEG = 1e-5
+# Velocities (deg/deg) against differences, and against differences that straddle a border of the
+# rule, where the second derivative jumps.
+RATE = 1e-6
+RATE_AT_BORDER = 1e-5
+# A difference reaches this far.
+NEAR_BORDER_DEG = 1e-3
+# Beside a border, far enough to survive printing, near enough to be no other place.
+NUDGE_DEG = 1e-9
+# On the slope of the reach rounding decides on which side a pose is; this far away it does not.
+ON_SLOPE_DEG = 1e-8
+BESIDE_REACH_DEG = 1e-6
+
+# Where the rule changes, ends or stops being measured; the reach bends at 60 and 85.
+BORDER_ELEVATIONS_DEG = (0.0, 15.0, 60.0, 85.0, 90.0, 120.0, 135.0, 150.0, 180.0)
+BORDER_PLANES_DEG = (-60.0, -30.0, 0.0, 40.0, 90.0, 135.0)
+BEYOND_ELEVATIONS_DEG = (-30.0, 50.0, 130.0, 210.0)
+BEYOND_PLANES_DEG = (-170.0, -75.0, 20.0, 150.0, 180.0)
+
+# What the rule is put together from in elevation and in plane, for its second derivatives.
+RULE_ELEVATIONS_DEG = (15.0, 90.0, 120.0, 135.0, 150.0)
+RULE_PLANES_DEG = (0.0, 90.0)
+
+# Elevation and plane over their limits, the others as far as people go. The offsets, which stand
+# last, need the exact closure.
+RANDOM_RANGES_DEG = {
+    "elevation_deg": (-10.0, 190.0),
+    "plane_deg": (-80.0, 150.0),
+    "axial_deg": (-60.0, 60.0),
+    "shrug_deg": (-8.0, 8.0),
+    "protraction_deg": (-8.0, 8.0),
+}
+
+CASES: list[tuple[Closure, Extent]] = [("exact", "whole"), ("exact", "clamp"), ("table", "clamp")]
+
+
+@dataclass(frozen=True)
+class Solution:
+    """All poses as the reference and as the program have them."""
+
+    commands: dict[str, Array]
+    expected: SmoothPoses
+    expected_rates: dict[str, dict[str, Array]]
+    answers: dict[str, Array]
+
+    def place(self, n: int) -> str:
+        return ", ".join(f"{name} {float(values[n])!r}" for name, values in self.commands.items())
+
+    @property
+    def on_slope(self) -> Array:
+        """Poses on the lower limit of the plane, where that changes with elevation."""
+        elevation_deg, plane_deg = self.commands["elevation_deg"], self.commands["plane_deg"]
+        slope = (elevation_deg > REACH_ELEVATIONS_DEG[0] - ON_SLOPE_DEG) & (
+            elevation_deg < REACH_ELEVATIONS_DEG[1] + ON_SLOPE_DEG
+        )
+        return slope & (np.abs(plane_deg - lowest_plane_deg(elevation_deg)) < ON_SLOPE_DEG)
+
+
+def make_commands(closure: Closure) -> dict[str, Array]:
+    """Random ones, some out of reach; all knots; on, beside and far beyond every border."""
+    random = np.random.default_rng(SEED)
+    names = list(RANDOM_RANGES_DEG) if closure == "exact" else list(RANDOM_RANGES_DEG)[:3]
+    columns = [random.uniform(*RANDOM_RANGES_DEG[name], RANDOM_POSES) for name in names]
+
+    poses = list(itertools.product(np.arange(15.0, 121.0, 5.0), (0.0, 40.0, 90.0)))
+    nudges_deg = (-NUDGE_DEG, 0.0, NUDGE_DEG)
+    poses += [
+        (elevation + up, plane + forward)
+        for elevation, plane in itertools.product(BORDER_ELEVATIONS_DEG, BORDER_PLANES_DEG)
+        for up, forward in itertools.product(nudges_deg, nudges_deg)
+    ]
+    poses += [(e, random.uniform(-60.0, 135.0)) for e in BORDER_ELEVATIONS_DEG for _ in range(10)]
+    poses += [(random.uniform(0.0, 180.0), p) for p in BORDER_PLANES_DEG for _ in range(10)]
+    poses += [
+        (elevation, lowest_plane_deg(elevation) + beside)
+        for elevation in np.arange(0.0, 181.0, 5.0)
+        for beside in (-BESIDE_REACH_DEG, 0.0, BESIDE_REACH_DEG)
+    ]
+    poses += [
+        pose
+        for elevation, plane in itertools.product(BEYOND_ELEVATIONS_DEG, BEYOND_PLANES_DEG)
+        for pose in ((elevation, plane), (elevation, 40.0), (70.0, plane))
+    ]
+    elevations_deg, planes_deg = np.array(poses).T
+    plain = [elevations_deg, planes_deg, *(np.zeros(len(poses)) for _ in names[2:])]
+    return {name: np.concatenate(pair) for name, *pair in zip(names, columns, plain, strict=True)}
+
+
+def solve_file(
+    run_program: RunProgram,
+    directory: Path,
+    commands: dict[str, Array],
+    closure: Closure,
+    extent: Extent,
+) -> dict[str, Array]:
+    """The program's answers, a column each; those that are not numbers are left out."""
+    poses_path, angles_path = directory / "poses.csv", directory / "angles.csv"
+    with poses_path.open("w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(commands)
+        poses = zip(*commands.values(), strict=True)
+        writer.writerows([repr(float(value)) for value in pose] for pose in poses)
+    model = ("--interpolation", "smooth", "--table", "measured")
+    how = ("--closure", closure, "--range", extent, "--rates")
+    run_program("solve", "--in", poses_path, "--out", angles_path, *model, *how)
+    with angles_path.open(newline="", encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    return {
+        name: np.array([float(row[name]) for row in rows]) for name in rows[0] if name != "origin"
+    }
+
+
+@pytest.fixture(scope="module")
+def smooth(database: list[Position]) -> SmoothRhythm:
+    return SmoothRhythm(database)
+
+
+@pytest.fixture(scope="module", params=CASES, ids="-".join)
+def solution(
+    request: pytest.FixtureRequest,
+    run_program: RunProgram,
+    smooth: SmoothRhythm,
+    tmp_path_factory: pytest.TempPathFactory,
+) -> Solution:
+    closure, extent = request.param
+    commands = make_commands(closure)
+    answers = solve_file(run_program, tmp_path_factory.mktemp("solve"), commands, closure, extent)
+    return Solution(
+        commands,
+        smooth.solve(**commands, closure=closure, extent=extent),
+        smooth.rates(**commands, closure=closure, extent=extent),
+        answers,
+    )
+
+
+def apart_deg(a: Array, b: Array) -> Array:
+    """The difference of two angles, whole turns left out."""
+    return np.abs(np.remainder(a - b + 180.0, 360.0) - 180.0)
+
+
+def test_the_answers_stand_in_the_order_of_the_questions(solution: Solution) -> None:
+    for name, asked in solution.commands.items():
+        assert np.array_equal(solution.answers[name], asked), name
+
+
+@pytest.mark.parametrize("coordinate", COORDINATES)
+def test_the_program_agrees_with_the_reference(solution: Solution, coordinate: str) -> None:
+    expected_deg = solution.expected.angles_deg[coordinate]
+    answered_deg = solution.answers[f"{coordinate}_deg"]
+    errors_deg = apart_deg(answered_deg, expected_deg)
+    worst = int(np.argmax(errors_deg))
+    assert errors_deg[worst] < AGREEMENT_DEG, (
+        f"{solution.place(worst)}: {coordinate} is {answered_deg[worst]:.17g}, "
+        f"expected {expected_deg[worst]:.17g}"
+    )
+
+
+def test_the_axial_angle_stays_in_its_window(solution: Solution) -> None:
+    axial_deg = solution.answers["gh_axial_deg"]
+    assert axial_deg.min() > -225.0
+    assert axial_deg.max() <= 135.0
+
+
+def test_the_program_uses_another_command_for_the_same_poses(solution: Solution) -> None:
+    answered = solution.answers["clamped"]
+    wrong = np.flatnonzero((answered != solution.expected.clamped) & ~solution.on_slope)
+    assert not wrong.size, [solution.place(n) for n in wrong[:5]]
+    assert set(answered) == {0.0, 1.0}
+
+
+def test_the_program_knows_how_far_away_the_measurements_are(solution: Solution) -> None:
+    answered_deg, expected_deg = solution.answers["distance_deg"], solution.expected.distance_deg
+    worst = int(np.argmax(np.abs(answered_deg - expected_deg)))
+    assert abs(answered_deg[worst] - expected_deg[worst]) < DISTANCE_DEG, (
+        f"{solution.place(worst)}: {answered_deg[worst]:.17g}, expected {expected_deg[worst]:.17g}"
+    )
+
+
+@pytest.mark.parametrize("command", ["elevation", "plane"])
+@pytest.mark.parametrize("joint", JOINT_SEQUENCES)
+def test_the_velocities_are_those_of_the_rotations(
+    solution: Solution, joint: str, command: str
+) -> None:
+    expected = solution.expected_rates[joint][command]
+    answered = np.stack([solution.answers[f"{joint}_w_{command}_{axis}"] for axis in "xyz"])
+
+    def near(values_deg: Array, borders_deg: tuple[float, ...]) -> Array:
+        distances_deg = np.abs(np.subtract.outer(borders_deg, values_deg))
+        return distances_deg.min(axis=0) < NEAR_BORDER_DEG
+
+    at_border = near(solution.commands["elevation_deg"], RULE_ELEVATIONS_DEG) | near(
+        solution.commands["plane_deg"], RULE_PLANES_DEG
+    )
+    allowed = np.where(at_border, RATE_AT_BORDER, RATE)
+    # Out of reach a command changes nothing, or what the nearest would: both are right.
+    counts = ~solution.expected.clamped & ~solution.on_slope
+    errors = np.where(counts, np.abs(answered - expected).max(axis=0) / allowed, 0.0)
+    worst = int(np.argmax(errors))
+    assert errors[worst] < 1.0, (
+        f"{solution.place(worst)}: {answered[:, worst]}, expected {expected[:, worst]}"
+    )
+
+
+def test_the_program_passes_through_every_table_position(
+    run_program: RunProgram, database: list[Position], tmp_path: Path
+) -> None:
+    commands = {
+        "elevation_deg": np.array([p.elevation_deg for p in database]),
+        "plane_deg": np.array([p.plane_deg for p in database]),
+    }
+    answers = solve_file(run_program, tmp_path, commands, "table", "clamp")
+    for n, p in enumerate(database):
+        angles_deg = {c: answers[f"{c}_deg"][n] for c in COORDINATES}
+        assert angles_deg == pytest.approx(p.angles_deg(), abs=TABLE_DEG), p
