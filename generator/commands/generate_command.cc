@@ -28,22 +28,27 @@ constexpr const char* kSceneFile = "scene.xml";
 struct GenerateArguments {
   RhythmArguments rhythm;
   std::string out;
+  bool offsets = false;
+  bool rates = false;
   std::string plugin;
   bool json = false;
 };
 
-std::string ModelXml(const RhythmArguments& arguments) {
-  const ShoulderRhythm rhythm = ChosenRhythm(arguments);
+std::string ModelXml(const GenerateArguments& arguments) {
+  const ShoulderRhythm rhythm = ChosenRhythm(arguments.rhythm);
+  const std::optional<BuiltInTable> table = ChosenBuiltInTable(arguments.rhythm);
   try {
-    return ShoulderModelXml(BuiltInAnatomy(), rhythm, {.carries_table = !arguments.table.empty()});
+    return ShoulderModelXml(
+        BuiltInAnatomy(), rhythm,
+        {.table = table, .has_offsets = arguments.offsets, .has_rates = arguments.rates});
   } catch (const std::invalid_argument& error) {
-    throw InputError(arguments.table + ": " + error.what());
+    throw InputError((table ? "" : arguments.rhythm.table + ": ") + error.what());
   }
 }
 
 void Generate(const GenerateArguments& arguments) {
   const std::vector<std::pair<std::string, std::string>> files = {
-      {kSceneFile, SceneXml(kModelFile)}, {kModelFile, ModelXml(arguments.rhythm)}};
+      {kSceneFile, SceneXml(kModelFile)}, {kModelFile, ModelXml(arguments)}};
   // What MuJoCo does not accept is not a model and is not written.
   const std::string checked =
       HasSimulation() ? LoadSimulation().check_model(files, ChosenPlugin(arguments.plugin))
@@ -72,6 +77,11 @@ void AddGenerateCommand(CLI::App& program) {
       ->type_name("DIR")
       ->required();
   AddRhythmArguments(*verb, arguments->rhythm);
+  verb->add_flag("--offsets", arguments->offsets,
+                 "With commands for shrug and protraction on top of the rhythm");
+  verb->add_flag("--rates", arguments->rates,
+                 "With commands for how fast elevation, plane and axial change, which the plugin "
+                 "feeds forward so that the joints lag less");
   AddPluginArgument(*verb, arguments->plugin);
   verb->add_flag("--json", arguments->json, "Say what was written as JSON");
   verb->footer("Example:\n  girdle generate --out my_model");

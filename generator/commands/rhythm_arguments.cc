@@ -3,7 +3,8 @@
 
 #include "commands/rhythm_arguments.h"
 
-#include "tables/built_in.h"
+#include <stdexcept>
+
 #include "tables/input_error.h"
 #include "tables/number_text.h"
 #include "tables/rhythm_table_csv.h"
@@ -21,43 +22,65 @@ template <std::size_t N>
   throw InputError(option + " " + word + ": not known. Choose one of: " + choices);
 }
 
+// Sets `chosen` to the value of a word, if one is given.
+template <typename Chosen, typename FromName, std::size_t N>
+void Choose(const std::string& option, const std::string& word, const FromName& from_name,
+            const std::array<std::string_view, N>& known, Chosen& chosen) {
+  if (word.empty()) {
+    return;
+  }
+  const auto value = from_name(word);
+  if (!value) {
+    FailUnknownWord(option, word, known);
+  }
+  chosen = *value;
+}
+
 }  // namespace
 
 void AddRhythmArguments(CLI::App& verb, RhythmArguments& arguments) {
   verb.add_option("--table", arguments.table,
-                  "Measured table as CSV instead of the built-in one (Ludewig et al. 2009)")
-      ->type_name("FILE");
+                  "Table: measured (Ludewig et al. 2009), destepped (the same without the steps "
+                  "where people dropped out; default with smooth), or a CSV of your own")
+      ->type_name("WORD|FILE");
   verb.add_option("--interpolation", arguments.interpolation,
-                  "How to interpolate: squad (default, as published) or slerp")
+                  "smooth (default), squad (as published) or slerp")
       ->type_name("WORD");
   verb.add_option("--closure", arguments.closure,
-                  "Where GH comes from: table (default, as published)")
+                  "exact (default: the arm points where it is told to) or table (as published)")
+      ->type_name("WORD");
+  verb.add_option("--range", arguments.range,
+                  "Outside the table: whole (default with smooth and exact: all that an arm can "
+                  "reach) or clamp (the table's nearest point)")
       ->type_name("WORD");
 }
 
 RhythmOptions ChosenOptions(const RhythmArguments& arguments) {
   RhythmOptions options;
-  if (!arguments.interpolation.empty()) {
-    const auto interpolation = InterpolationFromName(arguments.interpolation);
-    if (!interpolation) {
-      FailUnknownWord("--interpolation", arguments.interpolation, kInterpolationNames);
-    }
-    options.interpolation = *interpolation;
-  }
-  if (!arguments.closure.empty()) {
-    const auto closure = ClosureFromName(arguments.closure);
-    if (!closure) {
-      FailUnknownWord("--closure", arguments.closure, kClosureNames);
-    }
-    options.closure = *closure;
-  }
+  Choose("--interpolation", arguments.interpolation, InterpolationFromName, kInterpolationNames,
+         options.interpolation);
+  Choose("--closure", arguments.closure, ClosureFromName, kClosureNames, options.closure);
+  Choose("--range", arguments.range, RangeFromName, kRangeNames, options.range);
   return options;
+}
+
+std::optional<BuiltInTable> ChosenBuiltInTable(const RhythmArguments& arguments) {
+  return arguments.table.empty() ? DefaultTable(ChosenOptions(arguments).interpolation)
+                                 : BuiltInTableFromName(arguments.table);
 }
 
 ShoulderRhythm ChosenRhythm(const RhythmArguments& arguments) {
   const RhythmOptions options = ChosenOptions(arguments);
-  return arguments.table.empty() ? ShoulderRhythm(BuiltInRhythmTable(), options)
-                                 : ReadShoulderRhythm(arguments.table, options);
+  const JointRanges ranges = BuiltInAnatomy().ranges;
+  const std::optional<BuiltInTable> built_in = ChosenBuiltInTable(arguments);
+  if (!built_in) {
+    return ReadShoulderRhythm(arguments.table, options, ranges);
+  }
+  try {
+    return ShoulderRhythm(BuiltInRhythmTable(*built_in), options, ranges);
+  } catch (const std::invalid_argument& error) {
+    throw InputError("these options do not go together: " + std::string(error.what()));
+  }
 }
 
 double NumberArgument(const std::string& option, const std::string& text) {

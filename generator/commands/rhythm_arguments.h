@@ -9,14 +9,16 @@
 #include <string>
 
 #include "kinematics/shoulder_rhythm.h"
+#include "tables/built_in.h"
 
 namespace girdle {
 
-/// `--table`, `--interpolation`, `--closure` as given; empty where not given.
+/// `--table`, `--interpolation`, `--closure`, `--range` as given; empty where not given.
 struct RhythmArguments {
   std::string table;
   std::string interpolation;
   std::string closure;
+  std::string range;
 };
 
 void AddRhythmArguments(CLI::App& verb, RhythmArguments& arguments);
@@ -25,7 +27,10 @@ void AddRhythmArguments(CLI::App& verb, RhythmArguments& arguments);
 /// word, naming the known ones.
 [[nodiscard]] RhythmOptions ChosenOptions(const RhythmArguments& arguments);
 
-/// Returns the rhythm chosen: the table of `--table`, else the built-in one.
+/// Returns the built-in table chosen, by its word or by default; nothing if it is a file.
+[[nodiscard]] std::optional<BuiltInTable> ChosenBuiltInTable(const RhythmArguments& arguments);
+
+/// Returns the rhythm chosen, in the joint ranges of the built-in anatomy.
 [[nodiscard]] ShoulderRhythm ChosenRhythm(const RhythmArguments& arguments);
 
 /// Returns the number that `text` is. Throws InputError that names the option and gives an example.

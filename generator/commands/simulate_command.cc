@@ -114,6 +114,7 @@ void Simulate(const SimulateArguments& arguments) {
     json["rows"] = summary.rows;
     json["duration_s"] = summary.duration_s;
     json["clamped_rows"] = summary.clamped_rows;
+    json["worst_distance_deg"] = summary.worst_distance_deg;
     json["worst_tracking_error_deg"] = summary.worst_error_deg;
     json["last_tracking_error_deg"] = summary.last_error_deg;
     Print(json.dump(2) + "\n");
@@ -126,8 +127,12 @@ void Simulate(const SimulateArguments& arguments) {
         RoundedText(summary.last_error_deg, kDecimals) + " at the end\n" +
         (summary.clamped_rows > 0
              ? std::to_string(summary.clamped_rows) +
-                   " commands lay outside the measured table or the controls' ranges; the nearest "
-                   "pose was used\n"
+                   " commands lay outside the rhythm's or the controls' ranges; the nearest pose "
+                   "was used\n"
+             : "") +
+        (summary.worst_distance_deg > 0
+             ? "up to " + RoundedText(summary.worst_distance_deg, kDecimals) +
+                   " deg from measured positions: modelled, not measured\n"
              : "") +
         (trace ? "trace  " + arguments.trace + "\n" : ""));
 }

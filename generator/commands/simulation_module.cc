@@ -47,7 +47,8 @@ RhythmOverride OverrideFrom(const RhythmArguments& arguments) {
   if (!arguments.closure.empty()) {
     rhythm.closure = options.closure;
   }
-  rhythm.table_file = arguments.table;
+  rhythm.range = options.range;
+  rhythm.table = arguments.table;
   return rhythm;
 }
 

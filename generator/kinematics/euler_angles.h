@@ -34,7 +34,8 @@ template <int Order>
 ///
 ///     w - q_2 : q_3 + q_1 = cos : sin of (a+c)/2,    q_2 + w : q_1 - q_3 = cos : sin of (a-c)/2
 ///
-/// Where one of them is lost (gimbal lock) the other still gives the rotation.
+/// and their lengths s and d give the second angle, sin b = (d^2 - s^2) / 2, cos b = s d. Where s
+/// or d is lost (gimbal lock) the other still gives the rotation.
 template <typename T>
 [[nodiscard]] VectorOf<T> EulerAngles(const T& w, const T& q_1, const T& q_2,
                                       const T& q_3) noexcept {
@@ -44,11 +45,10 @@ template <typename T>
   const T difference_sine = q_1 - q_3;
   const T half_sum = Atan2(sum_sine, sum_cosine);
   const T half_difference = Atan2(difference_sine, difference_cosine);
-  const T sum_length = Sqrt(sum_sine * sum_sine + sum_cosine * sum_cosine);
-  const T difference_length =
-      Sqrt(difference_sine * difference_sine + difference_cosine * difference_cosine);
+  const T s_squared = sum_sine * sum_sine + sum_cosine * sum_cosine;
+  const T d_squared = difference_sine * difference_sine + difference_cosine * difference_cosine;
   return {WithinHalfTurn(half_sum + half_difference),
-          2.0 * Atan2(difference_length, sum_length) - T(kPi / 2),
+          Atan2(0.5 * (d_squared - s_squared), Sqrt(s_squared * d_squared)),
           WithinHalfTurn(half_sum - half_difference)};
 }
 

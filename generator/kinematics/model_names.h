@@ -24,16 +24,35 @@ inline constexpr const char* kPluginName = "girdle.rhythm";
 inline constexpr const char* kInterpolationKey =
     "interpolation";                                   ///< a word of kInterpolationNames
 inline constexpr const char* kClosureKey = "closure";  ///< a word of kClosureNames
+inline constexpr const char* kRangeKey = "range";      ///< a word of kRangeNames
 inline constexpr const char* kTableKey =
-    "table";  ///< RhythmTableToLine; the measured table if absent
+    "table";  ///< a word of kBuiltInTableNames or RhythmTableToLine; DefaultTable if absent
 inline constexpr const char* kStiffnessKey =
     "kp";  ///< one number, or nine as kCoordinateNames [N m/rad]
 
 inline constexpr std::size_t kCommandCount = 3;
+inline constexpr std::size_t kOffsetCount = 2;
+inline constexpr std::size_t kRateCount = 3;
 
-/// Stems of the command actuators, in the order of ArmCommand.
+/// Stems of the command actuators, in the order of ArmCommand [rad].
 inline constexpr std::array<std::string_view, kCommandCount> kCommandNames = {"elevation", "plane",
                                                                               "axial"};
+/// Stems of those that a model may have beside them: offsets of the clavicle [rad] ...
+inline constexpr std::array<std::string_view, kOffsetCount> kOffsetNames = {"shrug", "protraction"};
+/// ... and how fast the commands change [rad/s], for velocity feed-forward.
+inline constexpr std::array<std::string_view, kRateCount> kRateNames = {"elevation_rate",
+                                                                        "plane_rate", "axial_rate"};
+
+inline constexpr std::size_t kAllCommandCount = kCommandCount + kOffsetCount + kRateCount;
+/// All of them, in this order.
+inline constexpr std::array<std::string_view, kAllCommandCount> kAllCommandNames = {
+    kCommandNames[0], kCommandNames[1], kCommandNames[2], kOffsetNames[0],
+    kOffsetNames[1],  kRateNames[0],    kRateNames[1],    kRateNames[2]};
+
+/// How far a clavicle can be put beside the rhythm at all [rad]; joint ranges bound it further.
+inline constexpr CoordinateRange kShrugRange = {-15 * kRadiansPerDegree, 35 * kRadiansPerDegree};
+inline constexpr CoordinateRange kProtractionRange = {-25 * kRadiansPerDegree,
+                                                      30 * kRadiansPerDegree};
 
 /// Stem of the plugin's instance and of its sensor.
 inline constexpr std::string_view kRhythmName = "rhythm";
@@ -71,21 +90,25 @@ inline constexpr std::array<JointSites, kJointCount> kJointSites = {{
     {"GH", "GH_humerus"},
 }};
 
-/// Keyframes of emitted models. `rest` is the lowest measured position of the frontal plane, where
-/// a model with all controls at zero stands.
+/// Keyframes of emitted models. `rest` is the lowest position of the frontal plane, where a model
+/// with all controls at zero stands; `relaxed` is relaxed standing, held by trims.
 struct NamedPose {
   std::string_view name;
   double elevation_deg;
   double plane_deg;
 };
 inline constexpr std::string_view kRestName = "rest";
-inline constexpr std::array<NamedPose, 6> kKeyframes = {{
+inline constexpr std::string_view kRelaxedName = "relaxed";
+inline constexpr std::array<NamedPose, 9> kKeyframes = {{
     {kRestName, 0, 0},
+    {kRelaxedName, 0, 0},
     {"abduction_30", 30, 0},
     {"abduction_60", 60, 0},
     {"abduction_90", 90, 0},
     {"abduction_120", 120, 0},
+    {"abduction_150", 150, 0},
     {"flexion_90", 90, 90},
+    {"across_90", 90, 120},
 }};
 
 }  // namespace girdle

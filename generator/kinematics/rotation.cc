@@ -62,6 +62,25 @@ Vector3 EulerFromQuaternion(EulerSequence sequence, const Quaternion& q_AB_any_s
           WithinHalfTurn(half_sum - half_difference)};
 }
 
+// With e_1 the first axis in A, e_2 the second after the first turn and e_3 the third after two,
+// w = a' e_1 + b' e_2 + c' e_3; e_2 is perpendicular to the others, whose product is s = e_1 . e_3.
+Vector3 EulerRates(EulerSequence sequence, const Vector3& angles_rad,
+                   const Vector3& w_AB) noexcept {
+  const bool tilts_last = sequence == EulerSequence::kYXZ;
+  const double cosine_a = std::cos(angles_rad.x);
+  const double sine_a = std::sin(angles_rad.x);
+  const double cosine_b = std::cos(angles_rad.y);
+  const double sine_b = std::sin(angles_rad.y);
+  const Vector3 e_1 = tilts_last ? Vector3(0, 1, 0) : Vector3(1, 0, 0);
+  const Vector3 e_2 = tilts_last ? Vector3(cosine_a, 0, -sine_a) : Vector3(0, -sine_a, cosine_a);
+  const Vector3 e_3 = tilts_last ? Vector3(sine_a * cosine_b, -sine_b, cosine_a * cosine_b)
+                                 : Vector3(-sine_b, cosine_a * cosine_b, sine_a * cosine_b);
+  const double w_1 = glm::dot(w_AB, e_1);
+  const double w_3 = glm::dot(w_AB, e_3);
+  const double c_rate = (w_3 + sine_b * w_1) / (cosine_b * cosine_b);
+  return {w_1 + sine_b * c_rate, glm::dot(w_AB, e_2), c_rate};
+}
+
 // log(cos(W/2), sin(W/2) n) = W n, with the sign of q chosen so that W <= pi.
 Vector3 Log(const Quaternion& q_AB) noexcept {
   const Vector3 sine_axis =

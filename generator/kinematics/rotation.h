@@ -51,6 +51,13 @@ enum class EulerSequence {
 /// is determined; the angles are then one of the pairs that give the rotation.
 [[nodiscard]] Vector3 EulerFromQuaternion(EulerSequence sequence, const Quaternion& q_AB) noexcept;
 
+/// Returns how fast intrinsic angles change for three different axes (kYXZ, kXZY), from the angular
+/// velocity of B in A in A's axes; both by the same variable. Not finite at gimbal lock (second
+/// angle
+/// +-pi/2).
+[[nodiscard]] Vector3 EulerRates(EulerSequence sequence, const Vector3& angles_rad,
+                                 const Vector3& w_AB) noexcept;
+
 /// Returns the rotation vector [rad] of a unit quaternion: axis times angle, angle in [0, pi].
 [[nodiscard]] Vector3 Log(const Quaternion& q_AB) noexcept;
 

@@ -29,8 +29,9 @@ JointAngles AnglesFromPose(const ShoulderPose& pose) noexcept {
   const Pair sine{gh.y + gh.x, gh.x - gh.y};
   const Pair cosine{gh.w - gh.z, gh.z + gh.w};
   const Pair half_rad = Atan2(sine, cosine);
-  const Pair length = Sqrt(sine * sine + cosine * cosine);
-  const double flexion_rad = 2 * Atan2(Pair(length[1]), Pair(length[0]))[0] - kPi / 2;
+  const Pair squared = sine * sine + cosine * cosine;
+  const double flexion_rad =
+      Atan2(Pair(0.5 * (squared[1] - squared[0])), Pair(Sqrt(squared[0] * squared[1])))[0];
   const double axial_rad = WithinHalfTurn(half_rad[0] - half_rad[1] - kGhAxialMiddle_rad);
   return {girdle_rad[0][0],
           girdle_rad[1][0],
@@ -43,9 +44,15 @@ JointAngles AnglesFromPose(const ShoulderPose& pose) noexcept {
           axial_rad + kGhAxialMiddle_rad};
 }
 
-ArmAngles ArmAnglesFromRotation(const Quaternion& q_TH) noexcept {
-  const Vector3 angles_rad = EulerFromQuaternion(EulerSequence::kYXY, q_TH);
-  return {-angles_rad.y, angles_rad.x, angles_rad.z};
+// As EulerFromQuaternion, the two half angles side by side.
+ArmAngles ArmAnglesFromRotation(const Quaternion& q_TH_any_sign) noexcept {
+  const Quaternion q_TH = q_TH_any_sign.w < 0 ? -q_TH_any_sign : q_TH_any_sign;
+  const Pair sine{q_TH.y, q_TH.z};
+  const Pair cosine{q_TH.w, -q_TH.x};
+  const Pair half_rad = Atan2(sine, cosine);
+  const Pair length = Sqrt(sine * sine + cosine * cosine);
+  return {2 * Atan2(Pair(length[1]), Pair(length[0]))[0], WithinHalfTurn(half_rad[0] + half_rad[1]),
+          WithinHalfTurn(half_rad[0] - half_rad[1])};
 }
 
 }  // namespace girdle

@@ -196,6 +196,9 @@ ShoulderRhythm::ShoulderRhythm(RhythmTable table, RhythmOptions options, const J
 }
 
 double ShoulderRhythm::DistanceOutside(double elevation_rad, double plane_rad) const noexcept {
+  if (measured_.Holds(elevation_rad, plane_rad)) {
+    return 0;
+  }
   const double distance_rad = AngleFromRectangle(measured_, elevation_rad, plane_rad);
   return std::isnan(distance_rad) ? 0 : distance_rad;
 }
@@ -310,12 +313,17 @@ ShoulderPose ShoulderRhythm::PoseFor(ArmCommand& used) const noexcept {
   return pose;
 }
 
-ShoulderPose ShoulderRhythm::SolvePose(const ArmCommand& command) const noexcept {
+ShoulderPose ShoulderRhythm::SolvePose(const ArmCommand& command,
+                                       ArmCommand* used_out) const noexcept {
   const bool plain = measured_.Holds(command.elevation_rad, command.plane_rad) &&
                      command.axial_rad == 0 && command.shrug_rad == 0 &&
                      command.protraction_rad == 0;
   ArmCommand used = plain ? command : WithinRange(command);
-  return PoseFor(used);
+  const ShoulderPose pose = PoseFor(used);
+  if (used_out != nullptr) {
+    *used_out = used;
+  }
+  return pose;
 }
 
 ShoulderSolution ShoulderRhythm::Solve(const ArmCommand& command) const noexcept {
@@ -325,7 +333,7 @@ ShoulderSolution ShoulderRhythm::Solve(const ArmCommand& command) const noexcept
   solution.clamped = !(solution.used == command);
   solution.cell = table_.CellAt(solution.used.elevation_rad, solution.used.plane_rad);
   const bool outside = !measured_.Holds(command.elevation_rad, command.plane_rad);
-  solution.distance_rad = outside ? DistanceOutside(command.elevation_rad, command.plane_rad) : 0;
+  solution.distance_rad = DistanceOutside(command.elevation_rad, command.plane_rad);
   solution.origin = OriginOf(solution.cell, outside && options_.range == Range::kWhole);
   return solution;
 }
@@ -392,6 +400,29 @@ std::optional<ShoulderRates> ShoulderRhythm::SolveRates(const ArmCommand& comman
       {{{Plain(girdle.by_elevation, 0), Plain(girdle.by_plane, 0)},
         {Plain(girdle.by_elevation, 1), Plain(girdle.by_plane, 1)},
         {Plain(gh.by_elevation), Plain(gh.by_plane)}}}};
+}
+
+std::optional<AngleRates> ShoulderRhythm::SolveAngleRates(
+    const ArmCommand& command) const noexcept {
+  const std::optional<ShoulderRates> rates = SolveRates(command);
+  if (!rates) {
+    return std::nullopt;
+  }
+  const JointAngles angles_rad = AnglesFromPose(rates->pose);
+  AngleRates result;  // NOLINT(*-member-init): filled below
+  for (std::size_t joint = 0; joint < kJointCount; ++joint) {
+    const std::size_t first = 3 * joint;
+    const Vector3 joint_rad{angles_rad[first], angles_rad[first + 1], angles_rad[first + 2]};
+    const Vector3 by_elevation =
+        EulerRates(kJointSequences[joint], joint_rad, rates->joints[joint].by_elevation);
+    const Vector3 by_plane =
+        EulerRates(kJointSequences[joint], joint_rad, rates->joints[joint].by_plane);
+    for (int k = 0; k < 3; ++k) {
+      result.by_elevation[first + k] = by_elevation[k];
+      result.by_plane[first + k] = by_plane[k];
+    }
+  }
+  return result;
 }
 
 // w_i = 2 q_i q^-1 (vector part); of its derivative 2 (q_ij q^-1 + q_i q_j^-1) the second term is a

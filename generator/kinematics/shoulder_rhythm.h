@@ -114,6 +114,12 @@ struct ShoulderRates {
   std::array<AngularRate, kJointCount> joints;
 };
 
+/// First derivatives of the joint coordinates [rad/rad], in the order of kCoordinateNames.
+struct AngleRates {
+  JointAngles by_elevation;
+  JointAngles by_plane;
+};
+
 /// First and second derivatives of one joint's rotation: its angular velocities as above and what
 /// they change by [rad/rad^2].
 struct RotationDerivatives {
@@ -155,14 +161,16 @@ class ShoulderRhythm {
   /// keeps its place on the clavicle, and with closure exact the arm its direction.
   [[nodiscard]] ShoulderSolution Solve(const ArmCommand& command) const noexcept;
 
-  /// The pose alone, in less time.
-  [[nodiscard]] ShoulderPose SolvePose(const ArmCommand& command) const noexcept;
+  /// The pose alone, in less time; `used` takes the command that it answers.
+  [[nodiscard]] ShoulderPose SolvePose(const ArmCommand& command,
+                                       ArmCommand* used = nullptr) const noexcept;
 
   /// Returns the pose with its derivatives by the elevation and plane commanded, exact but for
   /// rounding; nothing unless the interpolation is smooth. Where the command is clamped the pose
   /// does not change with it, and where a bound or a change of the rule's form makes a kink it is
   /// one of the two.
   [[nodiscard]] std::optional<ShoulderRates> SolveRates(const ArmCommand& command) const noexcept;
+  [[nodiscard]] std::optional<AngleRates> SolveAngleRates(const ArmCommand& command) const noexcept;
   [[nodiscard]] std::optional<ShoulderDerivatives> SolveDerivatives(
       const ArmCommand& command) const noexcept;
 

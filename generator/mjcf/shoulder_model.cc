@@ -26,6 +26,8 @@ constexpr double kJugularNotchHeight_m = 0.82 * 1.71;
 constexpr double kTimestep_s = 0.002;
 // How far a user may push a joint off its target.
 constexpr double kTrimRange_rad = 30 * kRadiansPerDegree;
+// No arm is faster: a pitcher's humerus turns at 120 rad/s.
+constexpr double kFastestCommand_rad_per_s = 150;
 
 constexpr double kLandmarkRadius_m = 0.004;
 constexpr int kMeshDecimals = 4;  // 0.1 mm
@@ -62,20 +64,25 @@ class ShoulderModelWriter {
       : anatomy_(anatomy),
         rhythm_(rhythm),
         options_(options),
-        rest_rad_(AnglesFromPose(rhythm.Solve({}).pose)) {}
+        rest_rad_(AnglesFromPose(rhythm.SolvePose({}))) {}
 
   std::string Write() {
+    if (options_.has_rates && rhythm_.options().interpolation != Interpolation::kSmooth) {
+      throw std::invalid_argument("rate commands need the interpolation smooth");
+    }
     CheckRanges();
     XmlElement root = file_.root();
     root.Set("model", "girdle right shoulder");
+    const RhythmOptions& rhythm = rhythm_.options();
     root.AddComment("Emitted by girdle generate. Interpolation " +
-                    std::string(Name(rhythm_.options().interpolation)) + ", closure " +
-                    std::string(Name(rhythm_.options().closure)) + ", table " +
-                    (options_.carries_table ? "in the plugin's configuration"
-                                            : "Ludewig et al. 2009 as built into the plugin"));
+                    std::string(Name(rhythm.interpolation)) + ", closure " +
+                    std::string(Name(rhythm.closure)) + ", range " +
+                    std::string(Name(*rhythm.range)) + ", table " +
+                    (options_.table ? std::string(Name(*options_.table)) + " (Ludewig et al. 2009)"
+                                    : "in the plugin's configuration"));
     root.AddComment(
         "A joint coordinate is the measured Euler angle [rad]: SC and AC Y-X'-Z'', GH X-Z'-Y'', "
-        "ISB frames; qpos0 is the lowest measured position");
+        "ISB frames; qpos0 is where controls of zero lead");
     root.Add("compiler").Set("angle", "radian");
     root.Add("option").Set("timestep", kTimestep_s).Set("integrator", "implicitfast");
     if (options_.actuation == Actuation::kPlugin) {
@@ -99,24 +106,39 @@ class ShoulderModelWriter {
 
  private:
   void CheckRanges() const {
-    const RhythmTable& table = rhythm_.table();
-    for (std::size_t plane = 0; plane < table.planes_rad().size(); ++plane) {
-      for (std::size_t elevation = 0; elevation < table.elevations_rad().size(); ++elevation) {
-        const JointAngles& angles_rad = table.position(plane, elevation).angles_rad;
-        for (std::size_t k = 0; k < kCoordinateCount; ++k) {
-          const CoordinateRange& range = anatomy_.ranges[k];
-          if (angles_rad[k] < range.lower_rad || angles_rad[k] > range.upper_rad) {
-            const auto degrees = [](double angle_rad) {
-              return RoundedText(DegreesFromRadians(angle_rad), 6);
-            };
-            throw std::invalid_argument(
-                std::string(kCoordinateNames[k]) + " is " + degrees(angles_rad[k]) +
-                " deg at plane " + degrees(table.planes_rad()[plane]) + ", elevation " +
-                degrees(table.elevations_rad()[elevation]) + ", outside the joint's range " +
-                degrees(range.lower_rad) + " to " + degrees(range.upper_rad) +
-                " deg. Check the signs and the sequence of the table's angles");
-          }
-        }
+    constexpr double kStep_rad = kRadiansPerDegree;
+    const ArmRectangle& domain = rhythm_.domain();
+    const auto steps = [](double from_rad, double to_rad) {
+      return static_cast<int>(std::ceil((to_rad - from_rad) / kStep_rad - 0.5));
+    };
+    const int planes = steps(domain.first_plane_rad, domain.last_plane_rad);
+    const int elevations = steps(domain.lowest_elevation_rad, domain.highest_elevation_rad);
+    for (int j = 0; j <= planes; ++j) {
+      for (int i = 0; i <= elevations; ++i) {
+        CheckRangesAt(
+            {domain.lowest_elevation_rad + i * kStep_rad, domain.first_plane_rad + j * kStep_rad});
+      }
+    }
+  }
+
+  void CheckRangesAt(const ArmCommand& command) const {
+    ArmCommand used;
+    const JointAngles angles_rad = AnglesFromPose(rhythm_.SolvePose(command, &used));
+    for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+      const CoordinateRange& range = anatomy_.ranges[k];
+      // Rounding may take an angle over the range that its table ends at.
+      constexpr double kRounding_rad = 1e-9;
+      if (angles_rad[k] < range.lower_rad - kRounding_rad ||
+          angles_rad[k] > range.upper_rad + kRounding_rad) {
+        const auto degrees = [](double angle_rad) {
+          return RoundedText(DegreesFromRadians(angle_rad), 6);
+        };
+        throw std::invalid_argument(std::string(kCoordinateNames[k]) + " is " +
+                                    degrees(angles_rad[k]) + " deg at plane " +
+                                    degrees(used.plane_rad) + ", elevation " +
+                                    degrees(used.elevation_rad) + ", outside the joint's range " +
+                                    degrees(range.lower_rad) + " to " + degrees(range.upper_rad) +
+                                    " deg. Check the signs and the sequence of the table's angles");
       }
     }
   }
@@ -131,6 +153,10 @@ class ShoulderModelWriter {
     };
     configure(kInterpolationKey, Name(rhythm_.options().interpolation));
     configure(kClosureKey, Name(rhythm_.options().closure));
+    configure(kRangeKey, Name(*rhythm_.options().range));
+    if (options_.table) {
+      configure(kTableKey, Name(*options_.table));
+    }
     std::string stiffness;
     for (const JointDynamics& joint : kJointDynamics) {
       for (int hinge = 0; hinge < 3; ++hinge) {
@@ -138,7 +164,7 @@ class ShoulderModelWriter {
       }
     }
     configure(kStiffnessKey, stiffness);
-    if (options_.carries_table) {
+    if (!options_.table) {
       configure(kTableKey, RhythmTableToLine(rhythm_.table()));
     }
   }
@@ -256,20 +282,27 @@ class ShoulderModelWriter {
   }
 
   void WritePluginActuators(XmlElement actuator) const {
-    const RhythmTable& table = rhythm_.table();
-    const std::array<std::array<double, 2>, kCommandCount> ranges = {{
-        {table.elevations_rad().front(), table.elevations_rad().back()},
-        {table.planes_rad().front(), table.planes_rad().back()},
-        AxialRange(),
-    }};
-    for (std::size_t command = 0; command < kCommandCount; ++command) {
-      // A command has no force of its own; MuJoCo wants it to act on something all the same.
+    const ArmRectangle& domain = rhythm_.domain();
+    // A command has no force of its own; MuJoCo wants it to act on something all the same.
+    const auto write_command = [&actuator](std::string_view name, const CoordinateRange& range) {
       actuator.Add("plugin")
-          .Set("name", Right(kCommandNames[command]))
+          .Set("name", Right(name))
           .Set("joint", Right(kCoordinateNames[kGhAxialIndex]))
           .Set("instance", Right(kRhythmName))
           .Set("gear", 0)
-          .Set("ctrlrange", ranges[command]);
+          .Set("ctrlrange", std::array{range.lower_rad, range.upper_rad});
+    };
+    write_command(kCommandNames[0], {domain.lowest_elevation_rad, domain.highest_elevation_rad});
+    write_command(kCommandNames[1], {domain.first_plane_rad, domain.last_plane_rad});
+    write_command(kCommandNames[2], AxialRange());
+    if (options_.has_offsets) {
+      write_command(kOffsetNames[0], kShrugRange);
+      write_command(kOffsetNames[1], kProtractionRange);
+    }
+    if (options_.has_rates) {
+      for (const std::string_view rate : kRateNames) {
+        write_command(rate, {-kFastestCommand_rad_per_s, kFastestCommand_rad_per_s});
+      }
     }
     for (const std::string_view coordinate : kCoordinateNames) {
       actuator.Add("plugin")
@@ -291,7 +324,7 @@ class ShoulderModelWriter {
   }
 
   // The axial turns that keep GH within its range at every measured position.
-  [[nodiscard]] std::array<double, 2> AxialRange() const {
+  [[nodiscard]] CoordinateRange AxialRange() const {
     const RhythmTable& table = rhythm_.table();
     double lowest_rad = table.position(0, 0).angles_rad[kGhAxialIndex];
     double highest_rad = lowest_rad;
@@ -307,30 +340,40 @@ class ShoulderModelWriter {
   }
 
   void WriteKeyframes(XmlElement keyframe) const {
-    const RhythmTable& table = rhythm_.table();
     for (const NamedPose& pose : kKeyframes) {
-      const double elevation_rad =
-          std::clamp(RadiansFromDegrees(pose.elevation_deg), table.elevations_rad().front(),
-                     table.elevations_rad().back());
-      const double plane_rad = std::clamp(RadiansFromDegrees(pose.plane_deg),
-                                          table.planes_rad().front(), table.planes_rad().back());
+      const ShoulderSolution solution = rhythm_.Solve(
+          {RadiansFromDegrees(pose.elevation_deg), RadiansFromDegrees(pose.plane_deg)});
       // Only rest is the nearest pose there is; the others are what their names say or are not
       // there.
-      if (pose.name != kRestName &&
-          rhythm_.DistanceOutside(RadiansFromDegrees(pose.elevation_deg),
-                                  RadiansFromDegrees(pose.plane_deg)) > 0) {
+      if (pose.name != kRestName && solution.clamped) {
         continue;
       }
-      const JointAngles angles_rad = AnglesFromPose(rhythm_.Solve({elevation_rad, plane_rad}).pose);
-      std::vector<double> controls;
-      if (options_.actuation == Actuation::kPlugin) {
-        controls = {elevation_rad, plane_rad};
-        controls.resize(kCommandCount + kCoordinateCount);
-      } else {
-        controls.assign(angles_rad.begin(), angles_rad.end());
-      }
-      keyframe.Add("key").Set("name", pose.name).Set("qpos", angles_rad).Set("ctrl", controls);
+      const JointAngles target_rad = AnglesFromPose(solution.pose);
+      const JointAngles angles_rad = pose.name == kRelaxedName
+                                         ? AnglesFromPose(HangingIn(RelaxedStanding(), rhythm_))
+                                         : target_rad;
+      keyframe.Add("key")
+          .Set("name", pose.name)
+          .Set("qpos", angles_rad)
+          .Set("ctrl", KeyframeControls(solution.used, target_rad, angles_rad));
     }
+  }
+
+  // Controls that hold the joints at `angles_rad`: the plugin's trims make up for what they are off
+  // its targets.
+  [[nodiscard]] std::vector<double> KeyframeControls(const ArmCommand& command,
+                                                     const JointAngles& target_rad,
+                                                     const JointAngles& angles_rad) const {
+    if (options_.actuation == Actuation::kPosition) {
+      return {angles_rad.begin(), angles_rad.end()};
+    }
+    std::vector<double> controls = {command.elevation_rad, command.plane_rad};
+    controls.resize(kCommandCount + (options_.has_offsets ? kOffsetCount : 0) +
+                    (options_.has_rates ? kRateCount : 0));
+    for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+      controls.push_back(angles_rad[k] - target_rad[k]);
+    }
+    return controls;
   }
 
   const Anatomy& anatomy_;

@@ -5,10 +5,12 @@
 /// order of the measured Euler angles, so that a joint coordinate is the measured angle.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "kinematics/shoulder_rhythm.h"
 #include "tables/anatomy.h"
+#include "tables/built_in.h"
 
 namespace girdle {
 
@@ -21,15 +23,20 @@ enum class Actuation {
 
 struct ShoulderModelOptions {
   Actuation actuation = Actuation::kPlugin;
-  /// Writes the rhythm's table into the plugin's configuration; otherwise the plugin uses the one
-  /// built into it.
-  bool carries_table = false;
+  /// Which built-in table the rhythm's is; nothing writes it into the plugin's configuration.
+  std::optional<BuiltInTable> table = BuiltInTable::kDestepped;
+  /// With commands for shrug and protraction; for kPlugin.
+  bool has_offsets = false;
+  /// With commands for how fast elevation, plane and axial change, which the plugin feeds forward;
+  /// for kPlugin.
+  bool has_rates = false;
 };
 
-/// Returns the model as XML, complete in one file. Joint coordinates start at the rhythm's lowest
-/// position in its first plane, where the controls' zero is clamped to. Radians, meters, kilograms;
+/// Returns the model as XML, complete in one file. Joint coordinates start where the controls' zero
+/// leads: the arm hanging, or the lowest position of a clamped rhythm. Radians, meters, kilograms;
 /// world z up, x to the front. Throws std::invalid_argument if the rhythm leaves the anatomy's
-/// joint ranges.
+/// joint ranges, looked for on a grid of 1 deg, or if the options ask for rates that the
+/// interpolation does not have.
 [[nodiscard]] std::string ShoulderModelXml(const Anatomy& anatomy, const ShoulderRhythm& rhythm,
                                            const ShoulderModelOptions& options = {});
 

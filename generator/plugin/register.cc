@@ -40,7 +40,8 @@ int Init(const mjModel* model, mjData* data, int instance) noexcept {
   try {
     const RhythmConfig config = ParseRhythmConfig(
         {ConfigText(model, instance, kInterpolationKey), ConfigText(model, instance, kClosureKey),
-         ConfigText(model, instance, kTableKey), ConfigText(model, instance, kStiffnessKey)});
+         ConfigText(model, instance, kRangeKey), ConfigText(model, instance, kTableKey),
+         ConfigText(model, instance, kStiffnessKey)});
     auto controller = std::make_unique<RhythmController>(*model, instance, config);
     data->plugin_data[instance] = reinterpret_cast<uintptr_t>(controller.release());
     return 0;
@@ -63,7 +64,7 @@ void Compute(const mjModel* model, mjData* data, int instance, int capability) n
     controller.Actuate(*model, *data);
   }
   if ((capability & mjPLUGIN_SENSOR) != 0) {
-    controller.Sense(*model, *data, instance);
+    controller.Sense(*model, *data);
   }
 }
 
@@ -86,7 +87,7 @@ void Register() {
         PluginPath(), built_for.c_str(), engine.version_string(), kPluginName, built_for.c_str());
     return;
   }
-  static const char* const kAttributes[] = {kInterpolationKey, kClosureKey, kTableKey,
+  static const char* const kAttributes[] = {kInterpolationKey, kClosureKey, kRangeKey, kTableKey,
                                             kStiffnessKey};
   mjpPlugin plugin;
   engine.default_plugin(&plugin);
@@ -94,8 +95,9 @@ void Register() {
   plugin.nattribute = sizeof(kAttributes) / sizeof(kAttributes[0]);
   plugin.attributes = kAttributes;
   plugin.capabilityflags = mjPLUGIN_ACTUATOR | mjPLUGIN_SENSOR;
-  // Sensors come after the actuators, so that a change of a control alone updates them.
-  plugin.needstage = mjSTAGE_ACC;
+  // Of the stages the one that asks the engine for nothing more. A change of a control alone, which
+  // leaves out this stage, reaches the sensors by way of the actuators.
+  plugin.needstage = mjSTAGE_POS;
   plugin.nstate = +[](const mjModel*, int) { return 0; };
   plugin.nsensordata = +[](const mjModel*, int, int) { return int{sensor_layout::kSize}; };
   plugin.init = +[](const mjModel* m, mjData* d, int instance) { return Init(m, d, instance); };

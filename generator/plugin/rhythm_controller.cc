@@ -60,10 +60,11 @@ std::size_t TakeRole(const mjModel& model, int actuator,
   return *role;
 }
 
+// The first `needed` roles have to be taken.
 template <std::size_t N>
-void CheckAllTaken(const std::array<std::string_view, N>& roles, const std::array<bool, N>& taken,
-                   const char* kind, const char* example_attributes) {
-  for (std::size_t role = 0; role < N; ++role) {
+void CheckTaken(const std::array<std::string_view, N>& roles, const std::array<bool, N>& taken,
+                std::size_t needed, const char* kind, const char* example_attributes) {
+  for (std::size_t role = 0; role < needed; ++role) {
     if (!taken[role]) {
       const std::string name(roles[role]);
       throw std::runtime_error("no " + std::string(kind) + " for " + name +
@@ -83,16 +84,17 @@ Quaternion BodyRotation(const mjData& data, int body) noexcept {
   return {q[0], q[1], q[2], q[3]};
 }
 
-}  // namespace
-
-double RhythmController::Control::Raw(const mjData& data) const noexcept {
-  const mjtNum value = data.ctrl[address];
-  return std::isfinite(value) ? value : 0;
+bool IsNumber(const ArmCommand& command) noexcept {
+  return !std::isnan(command.elevation_rad) && !std::isnan(command.plane_rad) &&
+         !std::isnan(command.axial_rad) && !std::isnan(command.shrug_rad) &&
+         !std::isnan(command.protraction_rad);
 }
+
+}  // namespace
 
 double RhythmController::Control::Read(const mjModel& model, const mjData& data) const noexcept {
   const double value = Raw(data);
-  if (model.actuator_ctrllimited[address] == 0 ||
+  if (!exists() || model.actuator_ctrllimited[address] == 0 ||
       (model.opt.disableflags & mjDSBL_CLAMPCTRL) != 0) {
     return value;
   }
@@ -100,9 +102,14 @@ double RhythmController::Control::Read(const mjModel& model, const mjData& data)
   return std::clamp(value, range[0], range[1]);
 }
 
-RhythmController::RhythmController(const mjModel& model, int instance, const RhythmConfig& config)
-    : rhythm_(config.rhythm) {
-  std::array<bool, kCommandCount> has_command{};
+double RhythmController::Control::ReadFinite(const mjModel& model,
+                                             const mjData& data) const noexcept {
+  const double value = Read(model, data);
+  return std::isfinite(value) ? value : 0;
+}
+
+RhythmController::RhythmController(const mjModel& model, int instance, const RhythmConfig& config) {
+  std::array<bool, kAllCommandCount> has_command{};
   std::array<bool, kCoordinateCount> has_servo{};
   for (int actuator = 0; actuator < model.nactuator; ++actuator) {
     if (model.actuator_plugin[actuator] != instance) {
@@ -111,15 +118,26 @@ RhythmController::RhythmController(const mjModel& model, int instance, const Rhy
     if (IsCommand(model, actuator)) {
       AddCommand(
           model, actuator,
-          TakeRole(model, actuator, kCommandNames, has_command, "command actuator (gear 0)"));
+          TakeRole(model, actuator, kAllCommandNames, has_command, "command actuator (gear 0)"));
     } else {
       AddServo(model, actuator, TakeRole(model, actuator, kCoordinateNames, has_servo, "servo"),
                config);
     }
   }
-  CheckAllTaken(kCommandNames, has_command, "command actuator", "joint=\"...\" gear=\"0\"");
-  CheckAllTaken(kCoordinateNames, has_servo, "servo", "joint=\"...\"");
-  solved_target_rad_ = AnglesFromPose(rhythm_.Solve(solved_command_).pose);
+  CheckTaken(kAllCommandNames, has_command, kCommandCount, "command actuator",
+             "joint=\"...\" gear=\"0\"");
+  CheckTaken(kCoordinateNames, has_servo, kCoordinateCount, "servo", "joint=\"...\"");
+  FindSensors(model, instance);
+  const auto first_rate = has_command.begin() + kCommandCount + kOffsetCount;
+  feeds_forward_ = std::any_of(first_rate, has_command.end(), [](bool has) { return has; });
+  if (feeds_forward_ && config.options.interpolation != Interpolation::kSmooth) {
+    throw std::runtime_error(
+        "there are rate commands (elevation_rate and so on), and the interpolation is " +
+        std::string(Name(config.options.interpolation)) +
+        ", which has no rates. Remove them, or use the interpolation smooth");
+  }
+  rhythm_ = ConfiguredRhythm(config, RangesOf(model));
+  solved_ = {solved_command_, AnglesFromPose(rhythm_->SolvePose(solved_command_, &solved_.used))};
 }
 
 void RhythmController::AddCommand(const mjModel& model, int actuator, std::size_t role) {
@@ -141,6 +159,7 @@ void RhythmController::AddServo(const mjModel& model, int actuator, std::size_t 
                              ", expected 1 (or 0 for a command). Remove gear and set kp instead");
   }
   servos_[role] = {model.jnt_qposadr[joint],
+                   model.jnt_dofadr[joint],
                    output,
                    {model.actuator_ctrladr[actuator]},
                    config.stiffness_N_m_per_rad[role]};
@@ -152,61 +171,145 @@ void RhythmController::AddServo(const mjModel& model, int actuator, std::size_t 
   }
 }
 
-ArmCommand RhythmController::ReadCommand(const mjModel& model, const mjData& data) const noexcept {
-  return {commands_[0].Read(model, data), commands_[1].Read(model, data),
-          commands_[2].Read(model, data)};
+void RhythmController::FindSensors(const mjModel& model, int instance) {
+  for (int sensor = 0; sensor < model.nsensor; ++sensor) {
+    if (model.sensor_type[sensor] == mjSENS_PLUGIN && model.sensor_plugin[sensor] == instance) {
+      sensors_.push_back({model.sensor_adr[sensor],
+                          model.sensor_cutoff[sensor] == 0 && model.sensor_historyadr[sensor] < 0});
+    }
+  }
 }
 
-const JointAngles& RhythmController::TargetsFor(const ArmCommand& command) noexcept {
-  if (command.elevation_rad != solved_command_.elevation_rad ||
-      command.plane_rad != solved_command_.plane_rad ||
-      command.axial_rad != solved_command_.axial_rad) {
-    solved_command_ = command;
-    solved_target_rad_ = AnglesFromPose(rhythm_.Solve(command).pose);
+JointRanges RhythmController::RangesOf(const mjModel& model) const noexcept {
+  JointRanges ranges = ShoulderRhythm::Unbounded();
+  for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+    const int joint = model.dof_jntid[servos_[k].dof_address];
+    if (model.jnt_limited[joint] != 0) {
+      ranges[k] = {model.jnt_range[2 * joint], model.jnt_range[2 * joint + 1]};
+    }
   }
-  return solved_target_rad_;
+  return ranges;
+}
+
+ArmCommand RhythmController::ReadCommand(const mjModel& model, const mjData& data) const noexcept {
+  return {commands_[0].Read(model, data), commands_[1].Read(model, data),
+          commands_[2].Read(model, data), commands_[3].Read(model, data),
+          commands_[4].Read(model, data)};
+}
+
+ArmAngles RhythmController::Reached(const mjData& data) const noexcept {
+  return ArmAnglesFromRotation(glm::conjugate(BodyRotation(data, thorax_body_)) *
+                               BodyRotation(data, humerus_body_));
+}
+
+RhythmController::Aim RhythmController::AimFor(const mjModel& model, const mjData& data) noexcept {
+  const ArmCommand command = ReadCommand(model, data);
+  if (command == solved_command_) {
+    return solved_;
+  }
+  if (!IsNumber(command)) {
+    const ArmAngles reached = Reached(data);
+    Aim aim{{reached.elevation_rad, reached.plane_rad}, {}};
+    for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+      aim.target_rad[k] = data.qpos[servos_[k].qpos_address];
+    }
+    return aim;
+  }
+  solved_command_ = command;
+  solved_.target_rad = AnglesFromPose(rhythm_->SolvePose(command, &solved_.used));
+  return solved_;
+}
+
+// d target / dt = (d target / d elevation) elevation_rate + (d target / d plane) plane_rate; an
+// axial turn adds to the last coordinate.
+JointAngles RhythmController::TargetRates(const mjModel& model, const mjData& data,
+                                          const ArmCommand& command) const noexcept {
+  constexpr std::size_t kFirst = kCommandCount + kOffsetCount;
+  const double elevation_rate = commands_[kFirst].ReadFinite(model, data);
+  const double plane_rate = commands_[kFirst + 1].ReadFinite(model, data);
+  const double axial_rate = commands_[kFirst + 2].ReadFinite(model, data);
+  JointAngles rates{};
+  if (elevation_rate != 0 || plane_rate != 0) {
+    const std::optional<AngleRates> angles = rhythm_->SolveAngleRates(command);
+    for (std::size_t k = 0; angles && k < kCoordinateCount; ++k) {
+      rates[k] = angles->by_elevation[k] * elevation_rate + angles->by_plane[k] * plane_rate;
+    }
+  }
+  rates[kGhAxialIndex] += axial_rate;
+  return rates;
 }
 
 void RhythmController::Actuate(const mjModel& model, mjData& data) noexcept {
-  const JointAngles& target_rad = TargetsFor(ReadCommand(model, data));
+  const Aim aim = AimFor(model, data);
   for (std::size_t k = 0; k < kCoordinateCount; ++k) {
     const Servo& servo = servos_[k];
-    data.actuator_force[servo.force_address] =
+    const double force_N_m =
         servo.stiffness_N_m_per_rad *
-        (target_rad[k] + servo.trim.Read(model, data) - data.qpos[servo.qpos_address]);
+        (aim.target_rad[k] + servo.trim.ReadFinite(model, data) - data.qpos[servo.qpos_address]);
+    data.actuator_force[servo.force_address] = std::isfinite(force_N_m) ? force_N_m : 0;
+  }
+  if (feeds_forward_) {
+    const JointAngles rates = TargetRates(model, data, ReadCommand(model, data));
+    for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+      const double force_N_m = model.dof_damping[servos_[k].dof_address] * rates[k];
+      data.actuator_force[servos_[k].force_address] += std::isfinite(force_N_m) ? force_N_m : 0;
+    }
+  }
+  if (!sensors_.empty() && (model.opt.disableflags & mjDSBL_SENSOR) == 0 &&
+      !SensorsShow(data, aim)) {
+    WriteSensors(data, aim);
   }
 }
 
-void RhythmController::Sense(const mjModel& model, mjData& data, int instance) noexcept {
-  const ArmCommand command = ReadCommand(model, data);
-  const JointAngles& target_rad = TargetsFor(command);
-  const Quaternion q_TH =
-      glm::conjugate(BodyRotation(data, thorax_body_)) * BodyRotation(data, humerus_body_);
-  const ArmAngles reached = ArmAnglesFromRotation(q_TH);
-
-  std::array<double, sensor_layout::kSize> values{};
-  values[sensor_layout::kCommanded] = command.elevation_rad;
-  values[sensor_layout::kCommanded + 1] = command.plane_rad;
-  values[sensor_layout::kCommanded + 2] = command.axial_rad;
-  values[sensor_layout::kReached] = reached.elevation_rad;
-  values[sensor_layout::kReached + 1] = reached.plane_rad;
-  for (std::size_t k = 0; k < kCoordinateCount; ++k) {
-    values[sensor_layout::kTarget + k] = target_rad[k];
-    values[sensor_layout::kError + k] = target_rad[k] - data.qpos[servos_[k].qpos_address];
+void RhythmController::Sense(const mjModel& model, mjData& data) noexcept {
+  const Aim aim = AimFor(model, data);
+  WriteSensors(data, aim);
+  const ArmAngles reached = Reached(data);
+  for (const Sensor& sensor : sensors_) {
+    mjtNum* values = data.sensordata + sensor.address;
+    values[sensor_layout::kReached] = reached.elevation_rad;
+    values[sensor_layout::kReached + 1] = reached.plane_rad;
   }
-  // The axial turn reached on top of the measured one: what was commanded less what is still
-  // missing.
-  values[sensor_layout::kReached + 2] =
-      command.axial_rad - values[sensor_layout::kError + kGhAxialIndex];
-  // Measured from the control itself: its range usually is the measured domain.
-  values[sensor_layout::kDistance] =
-      rhythm_.DistanceOutside(commands_[0].Raw(data), commands_[1].Raw(data));
+}
 
-  for (int sensor = 0; sensor < model.nsensor; ++sensor) {
-    if (model.sensor_type[sensor] == mjSENS_PLUGIN && model.sensor_plugin[sensor] == instance) {
-      std::copy(values.begin(), values.end(), data.sensordata + model.sensor_adr[sensor]);
+// What follows from the commands; where the arm is does not.
+void RhythmController::WriteSensors(mjData& data, const Aim& aim) const noexcept {
+  for (const Sensor& sensor : sensors_) {
+    mjtNum* values = data.sensordata + sensor.address;
+    values[sensor_layout::kCommanded] = aim.used.elevation_rad;
+    values[sensor_layout::kCommanded + 1] = aim.used.plane_rad;
+    values[sensor_layout::kCommanded + 2] = aim.used.axial_rad;
+    for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+      values[sensor_layout::kTarget + k] = aim.target_rad[k];
+      values[sensor_layout::kError + k] = aim.target_rad[k] - data.qpos[servos_[k].qpos_address];
     }
+    // The axial turn reached on top of the measured one: what was commanded less what is still
+    // missing.
+    values[sensor_layout::kReached + 2] =
+        aim.used.axial_rad - values[sensor_layout::kError + kGhAxialIndex];
+    values[sensor_layout::kDistance] = DistanceOf(data, aim);
   }
+}
+
+// Measured from the controls themselves: their ranges may be narrower.
+double RhythmController::DistanceOf(const mjData& data, const Aim& aim) const noexcept {
+  const double elevation_rad = commands_[0].Raw(data);
+  const double plane_rad = commands_[1].Raw(data);
+  return std::isnan(elevation_rad) || std::isnan(plane_rad)
+             ? rhythm_->DistanceOutside(aim.used.elevation_rad, aim.used.plane_rad)
+             : rhythm_->DistanceOutside(elevation_rad, plane_rad);
+}
+
+bool RhythmController::SensorsShow(const mjData& data, const Aim& aim) const noexcept {
+  return std::all_of(sensors_.begin(), sensors_.end(), [&](const Sensor& sensor) {
+    const mjtNum* values = data.sensordata + sensor.address;
+    return !sensor.is_plain || (values[sensor_layout::kCommanded] == aim.used.elevation_rad &&
+                                values[sensor_layout::kCommanded + 1] == aim.used.plane_rad &&
+                                values[sensor_layout::kCommanded + 2] == aim.used.axial_rad &&
+                                std::equal(aim.target_rad.begin(), aim.target_rad.end(),
+                                           values + sensor_layout::kTarget) &&
+                                values[sensor_layout::kDistance] == DistanceOf(data, aim));
+  });
 }
 
 }  // namespace girdle

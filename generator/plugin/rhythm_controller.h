@@ -1,28 +1,32 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// The plugin's logic: joint servos whose targets follow three commands through the shoulder
-/// rhythm.
+/// The plugin's logic: joint servos whose targets follow commands through the shoulder rhythm.
 ///
-/// One instance of `girdle.rhythm` is shared by twelve actuators. Three are commands: their gear is
-/// 0 and their controls are elevation, plane and axial [rad]. Nine are servos, one a hinge:
+/// One instance of `girdle.rhythm` is shared by the actuators of a shoulder. Commands have gear 0:
+/// elevation, plane and axial [rad]; a model may add shrug and protraction [rad], and how fast the
+/// first three change, elevation_rate, plane_rate and axial_rate [rad/s]. Nine are servos, one a
+/// hinge:
 ///
-///     force = kp (target + trim - q)
+///     force = kp (target + trim - q) + damping (d target / dt)
 ///
-/// with the target from the inverse kinematics of the commands, q the hinge's coordinate and the
-/// trim the actuator's own control [rad], 0 by default. Damping belongs on the hinge, where MuJoCo
+/// with the target from the inverse kinematics of the commands, q the hinge's coordinate, the trim
+/// the actuator's own control [rad], 0 by default, and the hinge's own linear damping, which the
+/// last term makes up for where the rates are commanded. Damping belongs on the hinge, where MuJoCo
 /// integrates it implicitly.
 ///
-/// An actuator's role is the name of kCommandNames or kCoordinateNames that stands last in its own
-/// name, so that `him_elevation_r` and `elevation_r` are the same. No step depends on an
-/// earlier one.
+/// A command that is not a number is none: the targets are then where the joints are.
+///
+/// An actuator's role is the name of model_names.h that stands last in its own name, so that
+/// `him_elevation_r` and `elevation_r` are the same. No step depends on an earlier one.
 #pragma once
 
 #include <mujoco/mujoco.h>
 
 #include <array>
 #include <cstddef>
-#include <memory>
+#include <optional>
+#include <vector>
 
 #include "kinematics/model_names.h"
 #include "kinematics/shoulder_rhythm.h"
@@ -36,46 +40,73 @@ class RhythmController {
   /// that names the element and the fix.
   RhythmController(const mjModel& model, int instance, const RhythmConfig& config);
 
-  /// Writes the forces of the nine servos; the commands' stay 0.
+  /// Writes the forces of the nine servos, always finite; the commands' stay 0. Where the sensors
+  /// were written for another command they are written anew, so that a change of a control alone
+  /// reaches them.
   void Actuate(const mjModel& model, mjData& data) noexcept;
 
   /// Writes the instance's sensors, see sensor_layout. Positions are those of `data`, forward
   /// kinematics done.
-  void Sense(const mjModel& model, mjData& data, int instance) noexcept;
+  void Sense(const mjModel& model, mjData& data) noexcept;
 
  private:
-  /// Control of an actuator [rad].
+  /// Control of an actuator [rad, rad/s]; one that the model lacks is 0.
   struct Control {
-    int address = 0;
+    int address = -1;
 
-    /// As the user set it; a control that is not finite counts as 0.
-    [[nodiscard]] double Raw(const mjData& data) const noexcept;
+    [[nodiscard]] bool exists() const noexcept { return address >= 0; }
+    /// As the user set it.
+    [[nodiscard]] double Raw(const mjData& data) const noexcept {
+      return exists() ? data.ctrl[address] : 0;
+    }
     /// Within its range, where the model gives one and MuJoCo is to heed it.
     [[nodiscard]] double Read(const mjModel& model, const mjData& data) const noexcept;
+    /// The same, and 0 for what is not a finite number.
+    [[nodiscard]] double ReadFinite(const mjModel& model, const mjData& data) const noexcept;
   };
   struct Servo {
     int qpos_address = 0;
+    int dof_address = 0;
     int force_address = 0;
     Control trim;
     double stiffness_N_m_per_rad = 0;
   };
+  struct Sensor {
+    int address = 0;
+    /// MuJoCo passes its values on as they are: no cutoff, no delay.
+    bool is_plain = false;
+  };
+  /// What the servos aim at.
+  struct Aim {
+    ArmCommand used;
+    JointAngles target_rad;
+  };
 
   void AddCommand(const mjModel& model, int actuator, std::size_t role);
   void AddServo(const mjModel& model, int actuator, std::size_t role, const RhythmConfig& config);
+  void FindSensors(const mjModel& model, int instance);
+  [[nodiscard]] JointRanges RangesOf(const mjModel& model) const noexcept;
   [[nodiscard]] ArmCommand ReadCommand(const mjModel& model, const mjData& data) const noexcept;
-  /// Targets of the nine servos for a command.
-  const JointAngles& TargetsFor(const ArmCommand& command) noexcept;
+  [[nodiscard]] Aim AimFor(const mjModel& model, const mjData& data) noexcept;
+  [[nodiscard]] ArmAngles Reached(const mjData& data) const noexcept;
+  [[nodiscard]] JointAngles TargetRates(const mjModel& model, const mjData& data,
+                                        const ArmCommand& command) const noexcept;
+  void WriteSensors(mjData& data, const Aim& aim) const noexcept;
+  [[nodiscard]] double DistanceOf(const mjData& data, const Aim& aim) const noexcept;
+  [[nodiscard]] bool SensorsShow(const mjData& data, const Aim& aim) const noexcept;
 
-  ShoulderRhythm rhythm_;
-  std::array<Control, kCommandCount> commands_{};
+  std::array<Control, kAllCommandCount> commands_{};
   std::array<Servo, kCoordinateCount> servos_{};
+  std::vector<Sensor> sensors_;
   int thorax_body_ = 0;
   int humerus_body_ = 0;
+  bool feeds_forward_ = false;
+  std::optional<ShoulderRhythm> rhythm_;  ///< set by the constructor
 
-  /// The last command solved and its targets. Not state: the same command always has the same
-  /// targets. It spares the sensor what the servos have computed in the same step.
+  /// The last command solved and its aim. Not state: the same command always has the same aim. It
+  /// spares the servos what the sensor has computed in the same step.
   ArmCommand solved_command_;
-  JointAngles solved_target_rad_{};
+  Aim solved_{};
 };
 
 }  // namespace girdle

@@ -55,16 +55,27 @@ std::string ConfigText(const ShoulderSimulation& simulation, const char* key) {
   return text == nullptr ? "" : text;
 }
 
+RhythmConfig ConfigOf(const ShoulderSimulation& simulation) {
+  return ParseRhythmConfig({ConfigText(simulation, kInterpolationKey),
+                            ConfigText(simulation, kClosureKey), ConfigText(simulation, kRangeKey),
+                            ConfigText(simulation, kTableKey),
+                            ConfigText(simulation, kStiffnessKey)});
+}
+
 // The rhythm that the model says it uses, with what the user says instead.
 ShoulderRhythm RhythmOf(const ShoulderSimulation& simulation, const RhythmOverride& override) {
-  const RhythmConfig config = ParseRhythmConfig(
-      {ConfigText(simulation, kInterpolationKey), ConfigText(simulation, kClosureKey),
-       ConfigText(simulation, kTableKey), ConfigText(simulation, kStiffnessKey)});
-  const RhythmOptions options = {
-      override.interpolation.value_or(config.rhythm.options().interpolation),
-      override.closure.value_or(config.rhythm.options().closure)};
-  return override.table_file.empty() ? ShoulderRhythm(config.rhythm.table(), options)
-                                     : ReadShoulderRhythm(override.table_file, options);
+  RhythmConfig config = ConfigOf(simulation);
+  if (override.range || override.interpolation || override.closure) {
+    config.options.range = override.range;
+  }
+  config.options.interpolation = override.interpolation.value_or(config.options.interpolation);
+  config.options.closure = override.closure.value_or(config.options.closure);
+  if (const auto built_in = BuiltInTableFromName(override.table)) {
+    config.table = BuiltInRhythmTable(*built_in);
+  } else if (!override.table.empty()) {
+    return ReadShoulderRhythm(override.table, config.options, simulation.ranges());
+  }
+  return ConfiguredRhythm(config, simulation.ranges());
 }
 
 // Refuses a model that moves otherwise than the user says.
@@ -81,10 +92,24 @@ void ExpectRhythm(const ShoulderSimulation& simulation, const RhythmOverride& ov
   if (own.options().closure != wanted.options().closure) {
     refuse("closure than " + std::string(Name(wanted.options().closure)));
   }
-  if (!override.table_file.empty() &&
-      RhythmTableToLine(own.table()) != RhythmTableToLine(wanted.table())) {
-    refuse("table than " + override.table_file);
+  if (override.range && own.options().range != wanted.options().range) {
+    refuse("range than " + std::string(Name(*wanted.options().range)));
   }
+  if (!override.table.empty() &&
+      RhythmTableToLine(own.table()) != RhythmTableToLine(wanted.table())) {
+    refuse("table than " + override.table);
+  }
+}
+
+std::string TableName(const ShoulderSimulation& simulation, const RhythmOverride& override) {
+  if (!override.table.empty()) {
+    return override.table;
+  }
+  const std::string text = ConfigText(simulation, kTableKey);
+  if (text.empty()) {
+    return std::string(Name(DefaultTable(ConfigOf(simulation).options.interpolation)));
+  }
+  return BuiltInTableFromName(text) ? text : "the model's own";
 }
 
 SimulationSummary Simulate(const std::string& model_path, const std::string& plugin,
@@ -105,13 +130,18 @@ SimulationSummary Simulate(const std::string& model_path, const std::string& plu
   std::string row;
   for (long step = 0; step <= steps; ++step) {
     // The last state has no step after it.
+    const double time_s = static_cast<double>(step) * simulation.timestep_s();
     const ShoulderState state =
-        step < steps ? simulation.Step(command_at(step)) : simulation.Observe(command_at(step));
+        step < steps
+            ? simulation.Step(command_at(step), RateOf(motion, time_s, simulation.timestep_s()))
+            : simulation.Observe(command_at(step));
     row.clear();
     AppendTraceRow(row, state);
     trace(row);
     ++summary.rows;
     summary.clamped_rows += state.clamped ? 1 : 0;
+    summary.worst_distance_deg =
+        std::max(summary.worst_distance_deg, DegreesFromRadians(state.distance_rad));
     summary.duration_s = state.time_s;
     summary.last_error_deg = LargestError_deg(state);
     summary.worst_error_deg = std::max(summary.worst_error_deg, summary.last_error_deg);
@@ -127,11 +157,10 @@ VerifyResult Verify(const std::string& model_path, const std::string& plugin,
   ShoulderSimulation simulation(LoadModel(model_path), model_path);
   const ShoulderRhythm rhythm = RhythmOf(simulation, override);
   ResidualReport report = MeasureResiduals(simulation, rhythm, BuiltInAnatomy(), progress);
-  const char* table = !override.table_file.empty()                ? override.table_file.c_str()
-                      : ConfigText(simulation, kTableKey).empty() ? "built in (Ludewig et al. 2009)"
-                                                                  : "the model's own";
-  report.rhythm = "interpolation " + std::string(Name(rhythm.options().interpolation)) +
-                  ", closure " + std::string(Name(rhythm.options().closure)) + ", table " + table;
+  const RhythmOptions& options = rhythm.options();
+  report.rhythm = "interpolation " + std::string(Name(options.interpolation)) + ", closure " +
+                  std::string(Name(options.closure)) + ", range " +
+                  std::string(Name(*options.range)) + ", table " + TableName(simulation, override);
   return {json ? ReportAsJson(report) : ReportAsText(report), report.passed()};
 }
 

@@ -34,7 +34,8 @@ struct MotionRequest {
 struct RhythmOverride {
   std::optional<Interpolation> interpolation;
   std::optional<Closure> closure;
-  std::string table_file;  ///< empty for the model's own
+  std::optional<Range> range;
+  std::string table;  ///< a word of kBuiltInTableNames or a file; empty for the model's own
 };
 
 struct SimulationSummary {
@@ -42,8 +43,9 @@ struct SimulationSummary {
   double duration_s = 0;       ///< simulated
   double worst_error_deg = 0;  ///< largest difference of a joint from its target
   double last_error_deg = 0;   ///< the same in the last row
-  /// In which the command lay outside the table or the controls' ranges.
+  /// In which the command lay outside the rhythm's or the controls' ranges.
   std::size_t clamped_rows = 0;
+  double worst_distance_deg = 0;  ///< farthest from measured data
 };
 
 struct VerifyResult {

@@ -4,6 +4,7 @@
 #include "simulation/motion.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -18,7 +19,8 @@ constexpr double kFullCircle_deg = 360;
 ArmCommand Between(const ArmCommand& a, const ArmCommand& b, double t) {
   const auto mix = [t](double from, double to) { return from + t * (to - from); };
   return {mix(a.elevation_rad, b.elevation_rad), mix(a.plane_rad, b.plane_rad),
-          mix(a.axial_rad, b.axial_rad)};
+          mix(a.axial_rad, b.axial_rad), mix(a.shrug_rad, b.shrug_rad),
+          mix(a.protraction_rad, b.protraction_rad)};
 }
 
 struct TimedCommand {
@@ -43,6 +45,13 @@ ArmCommand AlongRows(const std::vector<TimedCommand>& rows, double time_s) {
 
 }  // namespace
 
+CommandRate RateOf(const Motion& motion, double time_s, double step_s) {
+  const ArmCommand now = motion.command(time_s);
+  const ArmCommand next = motion.command(time_s + step_s);
+  return {(next.elevation_rad - now.elevation_rad) / step_s,
+          (next.plane_rad - now.plane_rad) / step_s, (next.axial_rad - now.axial_rad) / step_s};
+}
+
 Motion ReachingMotion(std::string name, const ArmCommand& from, const ArmCommand& to,
                       double duration_s) {
   // s = 10 t^3 - 15 t^4 + 6 t^5: velocity and acceleration are 0 at both ends.
@@ -54,24 +63,33 @@ Motion ReachingMotion(std::string name, const ArmCommand& from, const ArmCommand
 
 Motion ReadMotion(std::istream& in, const std::string& name) {
   CsvReader csv(in, name);
-  csv.ExpectOnlyColumns({"time_s", "elevation_deg", "plane_deg", "axial_deg"});
+  csv.ExpectOnlyColumns(
+      {"time_s", "elevation_deg", "plane_deg", "axial_deg", "shrug_deg", "protraction_deg"});
   const std::size_t time = csv.Column("time_s");
   const std::size_t elevation = csv.Column("elevation_deg");
   const std::size_t plane = csv.Column("plane_deg");
-  const bool has_axial = csv.HasColumn("axial_deg");
-  const std::size_t axial = has_axial ? csv.Column("axial_deg") : 0;
+  const auto optional_column = [&csv](const char* name_of_column) {
+    return csv.HasColumn(name_of_column) ? std::optional(csv.Column(name_of_column)) : std::nullopt;
+  };
+  const auto axial = optional_column("axial_deg");
+  const auto shrug = optional_column("shrug_deg");
+  const auto protraction = optional_column("protraction_deg");
   std::vector<TimedCommand> rows;
   while (csv.Next()) {
     const auto angle_rad = [&csv](std::size_t column) {
       return RadiansFromDegrees(csv.NumberWithin(column, -kFullCircle_deg, kFullCircle_deg));
+    };
+    const auto optional_rad = [&angle_rad](const std::optional<std::size_t>& column) {
+      return column ? angle_rad(*column) : 0;
     };
     const double time_s = csv.NumberWithin(time, 0, kLongestMotion_s);
     if (!rows.empty() && time_s <= rows.back().time_s) {
       csv.Fail("time_s is " + NumberText(time_s) + ", which does not increase (previous " +
                NumberText(rows.back().time_s) + ")");
     }
-    rows.push_back(
-        {time_s, {angle_rad(elevation), angle_rad(plane), has_axial ? angle_rad(axial) : 0}});
+    rows.push_back({time_s,
+                    {angle_rad(elevation), angle_rad(plane), optional_rad(axial),
+                     optional_rad(shrug), optional_rad(protraction)}});
   }
   if (rows.empty()) {
     csv.Fail("the motion has no rows");

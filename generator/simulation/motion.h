@@ -4,10 +4,12 @@
 /// Motions of the arm: what is commanded when.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <istream>
 #include <string>
 
+#include "kinematics/model_names.h"
 #include "kinematics/shoulder_rhythm.h"
 
 namespace girdle {
@@ -22,13 +24,20 @@ struct Motion {
   std::function<ArmCommand(double time_s)> command;
 };
 
+/// How fast elevation, plane and axial change [rad/s].
+using CommandRate = std::array<double, kRateCount>;
+
+/// Returns how fast a motion's command changes over the step that begins at a time.
+[[nodiscard]] CommandRate RateOf(const Motion& motion, double time_s, double step_s);
+
 /// Returns a motion from one command to another on a straight line in (elevation, plane, axial),
 /// with the speed profile of a reaching arm (least jerk: Flash and Hogan, J Neurosci 1985;5:1688),
 /// at rest at both ends. Precondition: duration_s > 0.
 [[nodiscard]] Motion ReachingMotion(std::string name, const ArmCommand& from, const ArmCommand& to,
                                     double duration_s);
 
-/// Reads `time_s,elevation_deg,plane_deg`, optionally `axial_deg`, columns in any order, times not
+/// Reads `time_s,elevation_deg,plane_deg`, optionally `axial_deg`, `shrug_deg` and
+/// `protraction_deg`, columns in any order, times not
 /// negative and increasing, and goes in straight lines from row to row. Throws InputError with file
 /// and line.
 [[nodiscard]] Motion ReadMotion(std::istream& in, const std::string& name);

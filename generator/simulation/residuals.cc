@@ -13,6 +13,7 @@
 
 #include "kinematics/isb_frames.h"
 #include "simulation/motion.h"
+#include "tables/built_in.h"
 #include "tables/number_text.h"
 
 namespace girdle {
@@ -39,13 +40,19 @@ constexpr double kGlidingRms_mm = 5;
 constexpr double kGlidingWorst_mm = 17;
 
 // Duration of a standard motion and of the rest after it.
-constexpr double kMoving_s = 2;
+constexpr double kMoving_s = 3;
 constexpr double kSettling_s = 2;
 // Share of the rest at its end that counts as settled.
 constexpr double kSettledShare = 0.25;
 // Below this elevation the plane of the arm is ill determined: the table's own misses it by up to
 // 42 deg.
 constexpr double kLowestPlaneElevation_rad = 30 * kRadiansPerDegree;
+// So near to hanging or straight up the plane has no meaning.
+constexpr double kPlaneless_rad = 1e-6;
+// Where the standard motions end: people raise their arms to 150 +- 9 deg (Henninger, 20 people).
+constexpr double kRaised_rad = 150 * kRadiansPerDegree;
+// Of the grid on which closure is looked at, beside the motions.
+constexpr double kGridStep_rad = 10 * kRadiansPerDegree;
 
 // Text for the place of a worst case, made only when it is needed.
 std::string PlaceOf(std::string_view motion, const ArmCommand& command) {
@@ -125,7 +132,9 @@ class ResidualMeter {
     const int settled_from = moving_steps + static_cast<int>((1 - kSettledShare) * settling_steps);
     simulation_.Start(motion.command(0));
     for (int step = 0; step < moving_steps + settling_steps; ++step) {
-      const ShoulderState state = simulation_.Step(motion.command(step * timestep_s));
+      const double time_s = step * timestep_s;
+      const ShoulderState state =
+          simulation_.Step(motion.command(time_s), RateOf(motion, time_s, timestep_s));
       AddJointGaps(state, motion.name);
       AddTracking(state, motion.name, step < moving_steps ? moving_ : settled_,
                   step < moving_steps || step >= settled_from);
@@ -149,6 +158,24 @@ class ResidualMeter {
     }
   }
 
+  // Poses everywhere, settled for some steps.
+  void VisitGrid() {
+    const ArmRectangle& domain = rhythm_.domain();
+    for (double elevation_rad = domain.lowest_elevation_rad;
+         elevation_rad <= domain.highest_elevation_rad; elevation_rad += kGridStep_rad) {
+      for (double plane_rad = domain.first_plane_rad; plane_rad <= domain.last_plane_rad;
+           plane_rad += kGridStep_rad) {
+        const ArmCommand command{elevation_rad, plane_rad};
+        simulation_.Start(command);
+        constexpr int kSteps = 5;
+        for (int step = 0; step < kSteps; ++step) {
+          simulation_.Step(command);
+        }
+        AddClosure(simulation_.Observe(command), rhythm_.SolvePose(command), "grid");
+      }
+    }
+  }
+
   void VisitKeyframes() {
     const mjModel& model = simulation_.model();
     const ShoulderElements& elements = simulation_.elements();
@@ -161,13 +188,18 @@ class ResidualMeter {
       // A keyframe that has a name of ours has to be what the name says.
       for (const NamedPose& pose : kKeyframes) {
         if (pose.name == name && pose.name != kRestName) {
-          command = {RadiansFromDegrees(pose.elevation_deg), RadiansFromDegrees(pose.plane_deg), 0};
+          command = {RadiansFromDegrees(pose.elevation_deg), RadiansFromDegrees(pose.plane_deg)};
         }
       }
-      const JointAngles angles_rad = AnglesFromPose(rhythm_.Solve(command).pose);
+      const JointAngles target_rad = AnglesFromPose(rhythm_.SolvePose(command));
+      const bool is_relaxed = name == kRelaxedName;
+      const JointAngles wanted_rad =
+          is_relaxed ? AnglesFromPose(HangingIn(RelaxedStanding(), rhythm_)) : target_rad;
       for (std::size_t k = 0; k < kCoordinateCount; ++k) {
         const double qpos_rad = model.key_qpos[key * model.nq + elements.qpos[k]];
-        keyframes_.Add(DegreesFromRadians(AngleDifference(qpos_rad, angles_rad[k])), name, command);
+        const double held_rad = target_rad[k] + controls[elements.trim_controls[k]];
+        keyframes_.Add(DegreesFromRadians(AngleDifference(qpos_rad, wanted_rad[k])), name, command);
+        keyframes_.Add(DegreesFromRadians(AngleDifference(qpos_rad, held_rad)), name, command);
       }
     }
   }
@@ -234,12 +266,20 @@ class ResidualMeter {
                                                  "deg", kExact_deg));
     lines.push_back(
         closure_plane_own_.Worst("closure", "plane against the table's own", "deg", kExact_deg));
+    const bool is_exact = rhythm_.options().closure == Closure::kExact;
+    const std::optional<double> tolerance = is_exact ? std::optional(kExact_deg) : std::nullopt;
     lines.push_back(
-        closure_elevation_.Worst("closure", "elevation reached - commanded", "deg", std::nullopt));
-    lines.push_back(
-        closure_plane_.Worst("closure", "plane, from elevation 30", "deg", std::nullopt));
-    lines.push_back(
-        closure_low_plane_.Worst("closure", "plane, below elevation 30", "deg", std::nullopt));
+        closure_elevation_.Worst("closure", "elevation reached - commanded", "deg", tolerance));
+    lines.push_back(closure_plane_.Worst(
+        "closure", is_exact ? "plane reached - commanded" : "plane, from elevation 30", "deg",
+        tolerance));
+    if (!is_exact) {
+      lines.push_back(
+          closure_low_plane_.Worst("closure", "plane, below elevation 30", "deg", std::nullopt));
+    }
+    if (rhythm_.options().range == Range::kWhole) {
+      lines.push_back(distance_.Worst("range", "farthest from measured data", "deg", std::nullopt));
+    }
     if (!scapulothoracic_.empty()) {
       lines.push_back(scapulothoracic_.RootMeanSquare("scapulothoracic", "published ST, rms", "deg",
                                                       kScapulothoracicRms_deg));
@@ -250,6 +290,10 @@ class ResidualMeter {
                                             kGlidingRms_mm));
     lines.push_back(
         gliding_.Worst("scapulothoracic", "TS, AI to ellipsoid, worst", "mm", kGlidingWorst_mm));
+    if (!modelled_gliding_.empty()) {
+      lines.push_back(modelled_gliding_.Worst(
+          "scapulothoracic", "the same outside measured data", "mm", std::nullopt));
+    }
     return lines;
   }
 
@@ -323,14 +367,21 @@ class ResidualMeter {
     const ArmAngles reached = ArmFromLandmarks(state);
     const ArmAngles own = ArmAnglesFromRotation(pose.q_TH());
     const ArmCommand& command = state.command;
+    const ArmCommand used = rhythm_.Solve(command).used;
+    distance_.Add(DegreesFromRadians(state.distance_rad), motion, command);
     closure_elevation_own_.Add(DegreesFromRadians(reached.elevation_rad - own.elevation_rad),
                                motion, command);
+    closure_elevation_.Add(DegreesFromRadians(reached.elevation_rad - used.elevation_rad), motion,
+                           command);
+    if (used.elevation_rad < kPlaneless_rad || used.elevation_rad > kPi - kPlaneless_rad) {
+      return;
+    }
     closure_plane_own_.Add(DegreesFromRadians(AngleDifference(reached.plane_rad, own.plane_rad)),
                            motion, command);
-    closure_elevation_.Add(DegreesFromRadians(reached.elevation_rad - command.elevation_rad),
-                           motion, command);
-    (command.elevation_rad >= kLowestPlaneElevation_rad ? closure_plane_ : closure_low_plane_)
-        .Add(DegreesFromRadians(AngleDifference(reached.plane_rad, command.plane_rad)), motion,
+    const bool is_low = used.elevation_rad < kLowestPlaneElevation_rad &&
+                        rhythm_.options().closure == Closure::kTable;
+    (is_low ? closure_low_plane_ : closure_plane_)
+        .Add(DegreesFromRadians(AngleDifference(reached.plane_rad, used.plane_rad)), motion,
              command);
   }
 
@@ -348,10 +399,11 @@ class ResidualMeter {
 
   void AddGliding(const ShoulderState& state, std::string_view motion) {
     for (const Landmark landmark : {Landmark::kTS, Landmark::kAI}) {
-      gliding_.Add(
-          kMillimetersPerMeter *
-              DistanceFromEllipsoid(anatomy_.gliding, InThorax(state, state.landmark_m(landmark))),
-          motion, state.command);
+      (state.distance_rad > 0 ? modelled_gliding_ : gliding_)
+          .Add(kMillimetersPerMeter *
+                   DistanceFromEllipsoid(anatomy_.gliding,
+                                         InThorax(state, state.landmark_m(landmark))),
+               motion, state.command);
     }
   }
 
@@ -375,22 +427,26 @@ class ResidualMeter {
   Extreme closure_elevation_;
   Extreme closure_plane_;
   Extreme closure_low_plane_;
+  Extreme distance_;
   Extreme scapulothoracic_;
   Extreme gliding_;
+  Extreme modelled_gliding_;
 };
 
 // The motions that every model is run through.
-std::vector<Motion> StandardMotions(const RhythmTable& table) {
-  const double lowest_rad = table.elevations_rad().front();
-  const double highest_rad = table.elevations_rad().back();
+std::vector<Motion> StandardMotions(const ArmRectangle& domain) {
+  const double lowest_rad = domain.lowest_elevation_rad;
+  const double highest_rad = std::min(domain.highest_elevation_rad, kRaised_rad);
   const auto raise = [&](const char* name, double plane_deg) {
     const double plane_rad = RadiansFromDegrees(plane_deg);
-    return ReachingMotion(name, {lowest_rad, plane_rad, 0}, {highest_rad, plane_rad, 0}, kMoving_s);
+    return ReachingMotion(name, {lowest_rad, plane_rad}, {highest_rad, plane_rad}, kMoving_s);
   };
   const double level_rad = RadiansFromDegrees(90);
   return {raise("abduction", 0), raise("scapular plane", 40), raise("flexion", 90),
-          ReachingMotion("protraction at 90", {level_rad, table.planes_rad().front(), 0},
-                         {level_rad, table.planes_rad().back(), 0}, kMoving_s)};
+          ReachingMotion(
+              "protraction at 90",
+              {level_rad, std::max(domain.first_plane_rad, LowestPlaneAt(level_rad).plane_rad)},
+              {level_rad, domain.last_plane_rad}, kMoving_s)};
 }
 
 }  // namespace
@@ -403,7 +459,7 @@ bool ResidualReport::passed() const noexcept {
 ResidualReport MeasureResiduals(ShoulderSimulation& simulation, const ShoulderRhythm& rhythm,
                                 const Anatomy& anatomy, const ProgressSink& progress) {
   ResidualMeter meter(simulation, rhythm, anatomy);
-  const std::vector<Motion> motions = StandardMotions(rhythm.table());
+  const std::vector<Motion> motions = StandardMotions(rhythm.domain());
   for (std::size_t i = 0; i < motions.size(); ++i) {
     const double share = 1.0 / static_cast<double>(motions.size());
     meter.RunMotion(motions[i], [&progress, i, share](double done) {
@@ -411,6 +467,7 @@ ResidualReport MeasureResiduals(ShoulderSimulation& simulation, const ShoulderRh
     });
   }
   meter.VisitTable();
+  meter.VisitGrid();
   meter.VisitKeyframes();
   meter.VisitBones();
   return {simulation.name(), "", mj_versionString(), meter.Report()};

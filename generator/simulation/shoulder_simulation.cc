@@ -29,6 +29,19 @@ int FindInstance(const mjModel& model, const std::string& model_name) {
                    ". Make a model that has one with girdle generate");
 }
 
+// Of the hinges of the right shoulder.
+JointRanges RangesOf(const mjModel& model) {
+  JointRanges ranges = ShoulderRhythm::Unbounded();
+  for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+    const int joint =
+        mj_name2id(&model, mjOBJ_JOINT, SidedName(kCoordinateNames[k], kRightSuffix).c_str());
+    if (model.jnt_limited[joint] != 0) {
+      ranges[k] = {model.jnt_range[2 * joint], model.jnt_range[2 * joint + 1]};
+    }
+  }
+  return ranges;
+}
+
 }  // namespace
 
 std::string_view SiteStem(std::size_t site) {
@@ -51,7 +64,17 @@ ShoulderElements FindShoulder(const mjModel& model, const std::string& model_nam
     elements.command_controls[i] =
         model.actuator_ctrladr[find(mjOBJ_ACTUATOR, "actuator", right(kCommandNames[i]))];
   }
+  const auto find_optional = [&](std::string_view stem) {
+    const int id = mj_name2id(&model, mjOBJ_ACTUATOR, right(stem).c_str());
+    return id < 0 ? -1 : model.actuator_ctrladr[id];
+  };
+  std::transform(kOffsetNames.begin(), kOffsetNames.end(), elements.offset_controls.begin(),
+                 find_optional);
+  std::transform(kRateNames.begin(), kRateNames.end(), elements.rate_controls.begin(),
+                 find_optional);
   for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+    elements.trim_controls[k] =
+        model.actuator_ctrladr[find(mjOBJ_ACTUATOR, "actuator", right(kCoordinateNames[k]))];
     elements.qpos[k] = model.jnt_qposadr[find(mjOBJ_JOINT, "joint", right(kCoordinateNames[k]))];
   }
   for (std::size_t i = 0; i < kSegmentCount; ++i) {
@@ -80,7 +103,8 @@ ShoulderSimulation::ShoulderSimulation(ModelPointer model, std::string name)
     : name_(std::move(name)),
       model_(std::move(model)),
       data_(MakeData(*model_)),
-      elements_(FindShoulder(*model_, name_)) {
+      elements_(FindShoulder(*model_, name_)),
+      ranges_(RangesOf(*model_)) {
   if (!(timestep_s() >= kShortestTimestep_s && timestep_s() <= kLongestTimestep_s)) {
     throw InputError(name_ + ": the time step is " + NumberText(timestep_s()) + " s, expected " +
                      NumberText(kShortestTimestep_s) + " to " + NumberText(kLongestTimestep_s) +
@@ -88,10 +112,26 @@ ShoulderSimulation::ShoulderSimulation(ModelPointer model, std::string name)
   }
 }
 
-void ShoulderSimulation::SetCommand(const ArmCommand& command) {
+void ShoulderSimulation::SetCommand(const ArmCommand& command, const CommandRate& rate) {
   data_->ctrl[elements_.command_controls[0]] = command.elevation_rad;
   data_->ctrl[elements_.command_controls[1]] = command.plane_rad;
   data_->ctrl[elements_.command_controls[2]] = command.axial_rad;
+  const std::array<double, kOffsetCount> offsets_rad = {command.shrug_rad, command.protraction_rad};
+  for (std::size_t i = 0; i < kOffsetCount; ++i) {
+    if (elements_.offset_controls[i] >= 0) {
+      data_->ctrl[elements_.offset_controls[i]] = offsets_rad[i];
+    } else if (offsets_rad[i] != 0) {
+      throw InputError(name_ + ": " + std::string(kOffsetNames[i]) +
+                       " is commanded, and the model has no actuator \"" +
+                       SidedName(kOffsetNames[i], kRightSuffix) +
+                       "\". Make one that has with girdle generate --offsets");
+    }
+  }
+  for (std::size_t i = 0; i < kRateCount; ++i) {
+    if (elements_.rate_controls[i] >= 0) {
+      data_->ctrl[elements_.rate_controls[i]] = rate[i];
+    }
+  }
 }
 
 JointAngles ShoulderSimulation::Positions() const {
@@ -110,8 +150,8 @@ ShoulderState ShoulderSimulation::Derived(double time_s, const ArmCommand& comma
   state.position_rad = position_rad;
   const mjtNum* sensor = data_->sensordata + elements_.sensor;
   std::copy_n(sensor + sensor_layout::kTarget, kCoordinateCount, state.target_rad.begin());
-  state.clamped = sensor[sensor_layout::kDistance] > 0 ||
-                  sensor[sensor_layout::kCommanded] != command.elevation_rad ||
+  state.distance_rad = sensor[sensor_layout::kDistance];
+  state.clamped = sensor[sensor_layout::kCommanded] != command.elevation_rad ||
                   sensor[sensor_layout::kCommanded + 1] != command.plane_rad ||
                   sensor[sensor_layout::kCommanded + 2] != command.axial_rad;
   for (std::size_t i = 0; i < kSegmentCount; ++i) {
@@ -133,8 +173,8 @@ void ShoulderSimulation::Start(const ArmCommand& command) {
   }
 }
 
-ShoulderState ShoulderSimulation::Step(const ArmCommand& command) {
-  SetCommand(command);
+ShoulderState ShoulderSimulation::Step(const ArmCommand& command, const CommandRate& rate) {
+  SetCommand(command, rate);
   const double time_s = data_->time;
   const JointAngles position_rad = Positions();
   // What mj_step derives belongs to the positions before it moves them.
@@ -144,7 +184,7 @@ ShoulderState ShoulderSimulation::Step(const ArmCommand& command) {
 }
 
 ShoulderState ShoulderSimulation::Observe(const ArmCommand& command) {
-  SetCommand(command);
+  SetCommand(command, {});
   mj_forward(model_.get(), data_.get());
   EngineWatch::ExpectNoWarning(name_ + ": at " + NumberText(data_->time) + " s");
   return Derived(data_->time, command, Positions());

@@ -12,6 +12,7 @@
 #include "kinematics/model_names.h"
 #include "kinematics/shoulder_rhythm.h"
 #include "simulation/engine.h"
+#include "simulation/motion.h"
 #include "tables/anatomy.h"
 
 namespace girdle {
@@ -27,6 +28,9 @@ inline constexpr std::size_t kSiteCount = kLandmarkCount + kJointCount;
 struct ShoulderElements {
   int instance = 0;  ///< of the plugin
   std::array<int, kCommandCount> command_controls{};
+  std::array<int, kOffsetCount> offset_controls{};  ///< -1 where the model has none
+  std::array<int, kRateCount> rate_controls{};      ///< -1 where the model has none
+  std::array<int, kCoordinateCount> trim_controls{};
   std::array<int, kCoordinateCount> qpos{};
   std::array<int, kSegmentCount> bodies{};  ///< in the order of Segment
   std::array<int, kSiteCount> sites{};
@@ -43,8 +47,9 @@ struct ShoulderState {
   ArmCommand command;
   JointAngles target_rad{};  ///< what the plugin aims at
   JointAngles position_rad{};
-  /// The plugin used another command: the nearest within the controls' ranges and the table.
+  /// The plugin used another command: the nearest within the controls' ranges and the rhythm's.
   bool clamped = false;
+  double distance_rad = 0;  ///< of the command's direction from measured ones
   std::array<Quaternion, kSegmentCount>
       q_WB{};                                ///< thorax, clavicle, scapula, humerus in the world
   std::array<Vector3, kSiteCount> site_m{};  ///< in the world
@@ -71,8 +76,9 @@ class ShoulderSimulation {
   /// Puts the arm at rest where a command asks for it.
   void Start(const ArmCommand& command);
 
-  /// Steps once under a command. Returns the state at the step's beginning.
-  ShoulderState Step(const ArmCommand& command);
+  /// Steps once under a command, and its rate where the model has commands for it. Returns the
+  /// state at the step's beginning.
+  ShoulderState Step(const ArmCommand& command, const CommandRate& rate = {});
 
   /// Returns the state as it is, under a command, without moving.
   ShoulderState Observe(const ArmCommand& command);
@@ -83,11 +89,12 @@ class ShoulderSimulation {
 
   [[nodiscard]] const mjModel& model() const noexcept { return *model_; }
   [[nodiscard]] const ShoulderElements& elements() const noexcept { return elements_; }
+  [[nodiscard]] const JointRanges& ranges() const noexcept { return ranges_; }
   [[nodiscard]] double timestep_s() const noexcept { return model_->opt.timestep; }
   [[nodiscard]] const std::string& name() const noexcept { return name_; }
 
  private:
-  void SetCommand(const ArmCommand& command);
+  void SetCommand(const ArmCommand& command, const CommandRate& rate);
   [[nodiscard]] JointAngles Positions() const;
   /// Everything that MuJoCo derives, with positions as given.
   [[nodiscard]] ShoulderState Derived(double time_s, const ArmCommand& command,
@@ -97,6 +104,7 @@ class ShoulderSimulation {
   ModelPointer model_;
   DataPointer data_;
   ShoulderElements elements_;
+  JointRanges ranges_;
 };
 
 }  // namespace girdle

@@ -26,7 +26,8 @@ double ReplayableAngle(double angle_rad) noexcept {
 
 ArmCommand ReplayableCommand(const ArmCommand& command) noexcept {
   return {ReplayableAngle(command.elevation_rad), ReplayableAngle(command.plane_rad),
-          ReplayableAngle(command.axial_rad)};
+          ReplayableAngle(command.axial_rad), ReplayableAngle(command.shrug_rad),
+          ReplayableAngle(command.protraction_rad)};
 }
 
 std::string TraceHeader() {
@@ -34,6 +35,10 @@ std::string TraceHeader() {
   for (const std::string_view command : kCommandNames) {
     text += "," + std::string(command) + "_deg";
   }
+  for (const std::string_view offset : kOffsetNames) {
+    text += "," + std::string(offset) + "_deg";
+  }
+  text += ",distance_deg";
   for (const char* prefix : {",target_", ","}) {
     for (const std::string_view coordinate : kCoordinateNames) {
       text += prefix + std::string(coordinate) + "_deg";
@@ -61,6 +66,9 @@ void AppendTraceRow(std::string& text, const ShoulderState& state) {
   append(DegreesFromRadians(state.command.elevation_rad));
   append(DegreesFromRadians(state.command.plane_rad));
   append(DegreesFromRadians(state.command.axial_rad));
+  append(DegreesFromRadians(state.command.shrug_rad));
+  append(DegreesFromRadians(state.command.protraction_rad));
+  append(DegreesFromRadians(state.distance_rad));
   for (const JointAngles& angles_rad : {state.target_rad, state.position_rad}) {
     for (const double angle_rad : angles_rad) {
       append(DegreesFromRadians(angle_rad));

@@ -10,7 +10,8 @@
 
 namespace girdle {
 
-/// Returns the header: `time_s`, the commands `elevation_deg plane_deg axial_deg`, nine
+/// Returns the header: `time_s`, the commands `elevation_deg plane_deg axial_deg
+/// shrug_deg protraction_deg`, `distance_deg` from measured data, nine
 /// `target_*_deg`, nine `*_deg`, world quaternions `clavicle_qw ... humerus_qz`, world positions
 /// `IJ_x_m ...` of all sites.
 [[nodiscard]] std::string TraceHeader();

@@ -71,7 +71,6 @@ struct SegmentInertia {
   Vector3 inertia_kg_m2{0, 0, 0};  ///< about the centre of mass, along x, y, z
 };
 
-
 /// Surface in the thorax frame, axes parallel to it.
 struct Ellipsoid {
   Vector3 center_m{0, 0, 0};
@@ -82,8 +81,8 @@ struct Anatomy {
   std::array<Vector3, kLandmarkCount> landmarks_m{};  ///< each in the frame of its segment
   std::array<SegmentInertia, kSegmentCount> segments{};
   JointRanges ranges{};
-  Ellipsoid ribcage;                                       ///< what is drawn as the thorax
-  Ellipsoid gliding;                                       ///< what the scapula glides on
+  Ellipsoid ribcage;  ///< what is drawn as the thorax
+  Ellipsoid gliding;  ///< what the scapula glides on
 
   [[nodiscard]] const Vector3& landmark_m(Landmark landmark) const noexcept {
     return landmarks_m[static_cast<std::size_t>(landmark)];

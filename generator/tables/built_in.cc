@@ -3,6 +3,7 @@
 
 #include "tables/built_in.h"
 
+#include <algorithm>
 #include <sstream>
 #include <string>
 
@@ -11,7 +12,22 @@
 
 namespace girdle {
 
-RhythmTable BuiltInRhythmTable() { return BuiltInRhythmTable(BuiltInTable::kMeasured); }
+std::optional<BuiltInTable> BuiltInTableFromName(std::string_view name) noexcept {
+  const auto found = std::find(kBuiltInTableNames.begin(), kBuiltInTableNames.end(), name);
+  if (found == kBuiltInTableNames.end()) {
+    return std::nullopt;
+  }
+  return static_cast<BuiltInTable>(found - kBuiltInTableNames.begin());
+}
+
+std::string_view Name(BuiltInTable table) noexcept {
+  return kBuiltInTableNames[static_cast<std::size_t>(table)];
+}
+
+BuiltInTable DefaultTable(Interpolation interpolation) noexcept {
+  return interpolation == Interpolation::kSmooth ? BuiltInTable::kDestepped
+                                                 : BuiltInTable::kMeasured;
+}
 
 RhythmTable BuiltInRhythmTable(BuiltInTable table) {
   const bool is_destepped = table == BuiltInTable::kDestepped;
@@ -32,6 +48,16 @@ Anatomy BuiltInAnatomy() {
   std::istringstream ellipsoids{std::string(built_in_files::kThoraxEllipsoids)};
   ReadThoraxEllipsoids(ellipsoids, "data/thorax_ellipsoids.csv", anatomy);
   return anatomy;
+}
+
+ShoulderRhythm BuiltInRhythm(const RhythmOptions& options) {
+  return ShoulderRhythm(BuiltInRhythmTable(DefaultTable(options.interpolation)), options,
+                        BuiltInAnatomy().ranges);
+}
+
+Posture RelaxedStanding() {
+  std::istringstream postures{std::string(built_in_files::kPostures)};
+  return ReadPosture(postures, "data/postures.csv", "relaxed");
 }
 
 }  // namespace girdle

@@ -5,15 +5,14 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string_view>
 
-#include "kinematics/rhythm_table.h"
+#include "kinematics/shoulder_rhythm.h"
 #include "tables/anatomy.h"
+#include "tables/postures.h"
 
 namespace girdle {
-
-/// Returns the measured table of Ludewig et al. 2009 (data/ludewig2009.csv).
-[[nodiscard]] RhythmTable BuiltInRhythmTable();
 
 enum class BuiltInTable {
   kMeasured,   ///< as published: data/ludewig2009.csv
@@ -23,11 +22,28 @@ enum class BuiltInTable {
 /// Words for the tables, in the order of the enumerators.
 inline constexpr std::array<std::string_view, 2> kBuiltInTableNames = {"measured", "destepped"};
 
+[[nodiscard]] std::optional<BuiltInTable> BuiltInTableFromName(std::string_view name) noexcept;
+[[nodiscard]] std::string_view Name(BuiltInTable table) noexcept;
+
+/// The table that an interpolation uses unless told otherwise. Smooth: the de-stepped one, because
+/// a curve with continuous second derivatives through the measured rows swings where people dropped
+/// out, 10 to 40 times more than the shoulder does, and no row of the other moves by more than 0.7
+/// deg, a third of what the measured tables disagree by among themselves. Squad and slerp: the
+/// measured one, which is what was published.
+[[nodiscard]] BuiltInTable DefaultTable(Interpolation interpolation) noexcept;
+
 /// Returns one of the tables that are built in. They have the same planes and elevations.
 [[nodiscard]] RhythmTable BuiltInRhythmTable(BuiltInTable table);
 
 /// Returns the adult right shoulder of data/ (landmarks, segments, joint ranges, thorax
 /// ellipsoids).
 [[nodiscard]] Anatomy BuiltInAnatomy();
+
+/// Returns the rhythm of a built-in table, the interpolation's default one, in that shoulder's
+/// joint ranges.
+[[nodiscard]] ShoulderRhythm BuiltInRhythm(const RhythmOptions& options = {});
+
+/// Returns SC and AC of relaxed standing (data/postures.csv).
+[[nodiscard]] Posture RelaxedStanding();
 
 }  // namespace girdle

@@ -32,6 +32,30 @@ std::string OneOf(const std::array<std::string_view, N>& names) {
   throw std::runtime_error(std::string(key) + " is \"" + value + "\", expected " + fix);
 }
 
+// Sets `chosen` to the value of a word, if one is given.
+template <typename Chosen, typename FromName, std::size_t N>
+void Choose(const char* key, const std::string& word, const FromName& from_name,
+            const std::array<std::string_view, N>& known, Chosen& chosen) {
+  if (word.empty()) {
+    return;
+  }
+  const auto value = from_name(word);
+  if (!value) {
+    Fail(key, word, OneOf(known));
+  }
+  chosen = *value;
+}
+
+RhythmTable ParseTable(const std::string& text, Interpolation interpolation) {
+  if (text.empty()) {
+    return BuiltInRhythmTable(DefaultTable(interpolation));
+  }
+  if (const auto built_in = BuiltInTableFromName(text)) {
+    return BuiltInRhythmTable(*built_in);
+  }
+  return RhythmTableFromLine(text, "config key \"" + std::string(kTableKey) + "\"");
+}
+
 std::array<double, kCoordinateCount> ParseStiffness(const std::string& text) {
   constexpr const char* kExpected =
       "one positive number of N m/rad, or nine in the order sc, ac, gh";
@@ -59,33 +83,23 @@ std::array<double, kCoordinateCount> ParseStiffness(const std::string& text) {
 
 RhythmConfig ParseRhythmConfig(const RhythmConfigText& text) {
   RhythmOptions options;
-  if (!text.interpolation.empty()) {
-    const auto interpolation = InterpolationFromName(text.interpolation);
-    if (!interpolation) {
-      Fail(kInterpolationKey, text.interpolation, OneOf(kInterpolationNames));
-    }
-    options.interpolation = *interpolation;
-  }
-  if (!text.closure.empty()) {
-    const auto closure = ClosureFromName(text.closure);
-    if (!closure) {
-      Fail(kClosureKey, text.closure, OneOf(kClosureNames));
-    }
-    options.closure = *closure;
-  }
-  RhythmTable table =
-      text.table.empty()
-          ? BuiltInRhythmTable()
-          : RhythmTableFromLine(text.table, "config key \"" + std::string(kTableKey) + "\"");
+  Choose(kInterpolationKey, text.interpolation, InterpolationFromName, kInterpolationNames,
+         options.interpolation);
+  Choose(kClosureKey, text.closure, ClosureFromName, kClosureNames, options.closure);
+  Choose(kRangeKey, text.range, RangeFromName, kRangeNames, options.range);
   std::array<double, kCoordinateCount> stiffness{};
   stiffness.fill(kDefaultStiffness_N_m_per_rad);
   if (!text.stiffness.empty()) {
     stiffness = ParseStiffness(text.stiffness);
   }
+  return {ParseTable(text.table, options.interpolation), options, stiffness};
+}
+
+ShoulderRhythm ConfiguredRhythm(const RhythmConfig& config, const JointRanges& ranges) {
   try {
-    return {ShoulderRhythm(std::move(table), options), stiffness};
+    return ShoulderRhythm(config.table, config.options, ranges);
   } catch (const std::invalid_argument& error) {
-    throw std::runtime_error("config key \"" + std::string(kTableKey) + "\": " + error.what());
+    throw std::runtime_error("config: " + std::string(error.what()));
   }
 }
 

@@ -15,17 +15,24 @@ namespace girdle {
 struct RhythmConfigText {
   std::string interpolation;
   std::string closure;
+  std::string range;
   std::string table;
   std::string stiffness;
 };
 
 struct RhythmConfig {
-  ShoulderRhythm rhythm;
+  RhythmTable table;
+  RhythmOptions options;
   std::array<double, kCoordinateCount> stiffness_N_m_per_rad;  ///< in the order of kCoordinateNames
 };
 
 /// Returns the validated configuration. Throws std::runtime_error that names key, value and the
 /// fix.
 [[nodiscard]] RhythmConfig ParseRhythmConfig(const RhythmConfigText& text);
+
+/// Returns the rhythm of a configuration, in the joint ranges of a model. Throws std::runtime_error
+/// if the options do not go together or the table is too small for them.
+[[nodiscard]] ShoulderRhythm ConfiguredRhythm(const RhythmConfig& config,
+                                              const JointRanges& ranges);
 
 }  // namespace girdle

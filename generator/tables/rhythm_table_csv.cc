@@ -225,11 +225,12 @@ RhythmTable ReadRhythmTable(std::istream& in, const std::string& name) {
   return grid.Finish(csv);
 }
 
-ShoulderRhythm ReadShoulderRhythm(const std::string& path, const RhythmOptions& options) {
+ShoulderRhythm ReadShoulderRhythm(const std::string& path, const RhythmOptions& options,
+                                  const JointRanges& ranges) {
   std::ifstream in = OpenTextFile(path);
   RhythmTable table = ReadRhythmTable(in, path);
   try {
-    return ShoulderRhythm(std::move(table), options);
+    return ShoulderRhythm(std::move(table), options, ranges);
   } catch (const std::invalid_argument& error) {
     throw InputError(path + ": " + error.what());
   }

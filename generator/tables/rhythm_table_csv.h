@@ -24,7 +24,8 @@ namespace girdle {
 
 /// Returns the rhythm of a table in a file. Throws InputError.
 [[nodiscard]] ShoulderRhythm ReadShoulderRhythm(const std::string& path,
-                                                const RhythmOptions& options);
+                                                const RhythmOptions& options,
+                                                const JointRanges& ranges);
 
 /// Returns the table as a file that ReadRhythmTable reads: `comments`, each a line that begins with
 /// `#`, the header, the rows. Angles are rounded to `decimals` places of a degree, so that the text

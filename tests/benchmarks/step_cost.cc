@@ -48,7 +48,7 @@ double Median(std::vector<double> values) {
 int Run(const char* plugin) {
   const EngineWatch watch;
   LoadPlugin(plugin);
-  const ShoulderRhythm rhythm(BuiltInRhythmTable());
+  const ShoulderRhythm rhythm = BuiltInRhythm();
   const Anatomy anatomy = BuiltInAnatomy();
   const ModelPointer driven = LoadModel({{"driven.xml", ShoulderModelXml(anatomy, rhythm)}});
   const ModelPointer servos = LoadModel(

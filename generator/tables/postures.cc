@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "tables/postures.h"
+
+#include <array>
+#include <glm/gtc/quaternion.hpp>
+#include <optional>
+
+#include "tables/csv.h"
+#include "tables/input_error.h"
+
+namespace girdle {
+namespace {
+
+constexpr double kHalfCircle_deg = 180;
+constexpr std::size_t kGirdleCoordinates = 6;
+
+}  // namespace
+
+Posture ReadPosture(std::istream& in, const std::string& name, const std::string& posture) {
+  CsvReader csv(in, name);
+  const std::size_t posture_column = csv.Column("posture");
+  std::array<std::size_t, kGirdleCoordinates> columns{};
+  for (std::size_t k = 0; k < kGirdleCoordinates; ++k) {
+    columns[k] = csv.Column(std::string(kCoordinateNames[k]) + "_deg");
+  }
+  std::optional<Posture> found;
+  while (csv.Next()) {
+    JointAngles angles_rad{};
+    for (std::size_t k = 0; k < kGirdleCoordinates; ++k) {
+      angles_rad[k] =
+          RadiansFromDegrees(csv.NumberWithin(columns[k], -kHalfCircle_deg, kHalfCircle_deg));
+    }
+    if (csv.Field(posture_column) != posture) {
+      continue;
+    }
+    if (found) {
+      csv.Fail("posture '" + posture + "' stands twice. Remove one of the rows");
+    }
+    const ShoulderPose pose = PoseFromAngles(angles_rad);
+    found = {pose.q_TC, pose.q_CS};
+  }
+  if (!found) {
+    throw InputError(name + ": has no posture '" + posture + "'. Add a row for it");
+  }
+  return *found;
+}
+
+ShoulderPose HangingIn(const Posture& posture, const ShoulderRhythm& rhythm) noexcept {
+  const Quaternion q_TH = rhythm.SolvePose({}).q_TH();
+  return {posture.q_TC, posture.q_CS, glm::conjugate(posture.q_TC * posture.q_CS) * q_TH};
+}
+
+}  // namespace girdle
