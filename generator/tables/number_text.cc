@@ -4,8 +4,11 @@
 #include "tables/number_text.h"
 
 #include <array>
+#include <bit>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
 namespace girdle {
 namespace {
@@ -14,6 +17,75 @@ namespace {
 constexpr std::size_t kLongestNumber = 32;
 // The largest double in fixed notation has 309 digits before the point; decimals come on top.
 constexpr std::size_t kLongestFixedNumber = 400;
+
+// What AppendRounded counts in: the last of its decimals.
+constexpr std::uint64_t kUnitsPerOne = 1'000'000'000'000;  // 10^kRoundedDecimals
+constexpr double kFastBelow = 1000;
+constexpr std::uint64_t kFastBelow_units = 1000 * kUnitsPerOne;
+// Sign, three digits, point and decimals.
+constexpr std::size_t kLongestRounded = 1 + 3 + 1 + kRoundedDecimals;
+
+// Returns |value| 10^12 rounded to a whole number, halves to the even one, for |value| < 1000.
+//
+//   |value| = m 2^e   =>   |value| 10^12 = m 5^12 2^(e + 12)
+//
+// in whole numbers throughout: m 5^12 has 81 bits at most, and e + 12 is negative.
+std::uint64_t RoundedUnits(double value) {
+  using Uint128 = unsigned __int128;
+  constexpr std::uint64_t kFiveToTwelve = 244'140'625;
+  constexpr int kFractionBits = std::numeric_limits<double>::digits - 1;
+  constexpr int kExponentBias = std::numeric_limits<double>::max_exponent - 1 + kFractionBits;
+  constexpr int kProductBits = 81;
+  constexpr std::uint64_t kHiddenBit = std::uint64_t{1} << kFractionBits;
+
+  const auto bits = std::bit_cast<std::uint64_t>(std::abs(value));
+  const int shift = kExponentBias - kRoundedDecimals - static_cast<int>(bits >> kFractionBits);
+  // Below half a unit. All numbers without a hidden bit are.
+  if (shift > kProductBits) {
+    return 0;
+  }
+  const Uint128 product = Uint128{(bits & (kHiddenBit - 1)) | kHiddenBit} * kFiveToTwelve;
+  const auto below = static_cast<std::uint64_t>(product >> shift);
+  const Uint128 rest = product - (Uint128{below} << shift);
+  const Uint128 half = Uint128{1} << (shift - 1);
+  const bool is_up = rest > half || (rest == half && below % 2 == 1);
+  return below + (is_up ? 1 : 0);
+}
+
+constexpr std::array<char, 200> kDigitPairs = [] {
+  std::array<char, 200> pairs{};
+  for (std::size_t i = 0; i < pairs.size() / 2; ++i) {
+    pairs[2 * i] = static_cast<char>('0' + i / 10);
+    pairs[2 * i + 1] = static_cast<char>('0' + i % 10);
+  }
+  return pairs;
+}();
+
+// Writes two digits, leading zeros included, and returns the place behind them.
+char* WritePair(char* out, std::uint32_t number) {
+  *out++ = kDigitPairs[2 * number];
+  *out++ = kDigitPairs[2 * number + 1];
+  return out;
+}
+
+char* WriteSixDigits(char* out, std::uint32_t number) {
+  out = WritePair(out, number / 10'000);
+  out = WritePair(out, number / 100 % 100);
+  return WritePair(out, number % 100);
+}
+
+// Writes a number below 1000 without leading zeros.
+char* WriteWhole(char* out, std::uint32_t number) {
+  if (number >= 100) {
+    *out++ = static_cast<char>('0' + number / 100);
+    return WritePair(out, number % 100);
+  }
+  if (number >= 10) {
+    return WritePair(out, number);
+  }
+  *out++ = static_cast<char>('0' + number);
+  return out;
+}
 
 }  // namespace
 
@@ -46,6 +118,32 @@ std::string SignificantText(double value, int digits) {
   const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
                                           std::chars_format::general, digits);
   return {buffer.data(), end};
+}
+
+void AppendRounded(std::string& text, double value) {
+  const bool is_fast = std::abs(value) < kFastBelow;
+  const std::uint64_t units = is_fast ? RoundedUnits(value) : 0;
+  // A number just below 1000 may be rounded up to it.
+  if (!is_fast || units >= kFastBelow_units) {
+    text += RoundedText(value, kRoundedDecimals);
+    return;
+  }
+  std::array<char, kLongestRounded> buffer;  // NOLINT(*-member-init): written below
+  char* out = buffer.data();
+  if (std::signbit(value) && units > 0) {
+    *out++ = '-';
+  }
+  out = WriteWhole(out, static_cast<std::uint32_t>(units / kUnitsPerOne));
+  if (const std::uint64_t decimals = units % kUnitsPerOne; decimals > 0) {
+    constexpr std::uint64_t kHalf = 1'000'000;
+    *out++ = '.';
+    out = WriteSixDigits(out, static_cast<std::uint32_t>(decimals / kHalf));
+    out = WriteSixDigits(out, static_cast<std::uint32_t>(decimals % kHalf));
+    while (out[-1] == '0') {
+      --out;
+    }
+  }
+  text.append(buffer.data(), static_cast<std::size_t>(out - buffer.data()));
 }
 
 std::string RoundedText(double value, int decimals) {
