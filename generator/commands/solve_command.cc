@@ -4,6 +4,7 @@
 #include "commands/solve_command.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -13,11 +14,11 @@
 #include <optional>
 #include <string>
 #include <system_error>
+#include <thread>
 
 #include "commands/output_file.h"
-#include "commands/progress.h"
 #include "commands/rhythm_arguments.h"
-#include "tables/csv.h"
+#include "commands/solve_rows.h"
 #include "tables/input_error.h"
 #include "tables/number_text.h"
 #include "tables/text_file.h"
@@ -25,24 +26,20 @@
 namespace girdle {
 namespace {
 
-constexpr const char* kElevationColumn = "elevation_deg";
-constexpr const char* kPlaneColumn = "plane_deg";
-constexpr const char* kAxialColumn = "axial_deg";
-constexpr const char* kClampedColumn = "clamped";
+constexpr std::size_t kMostThreads = 64;
+// More would surprise whoever shares the machine.
+constexpr std::size_t kMostThreadsUnasked = 4;
 
 struct SolveArguments {
   RhythmArguments rhythm;
   std::optional<std::string> elevation_deg;
   std::optional<std::string> plane_deg;
   std::optional<std::string> axial_deg;
+  std::optional<std::string> threads;
   std::string in;
   std::string out;
   bool json = false;
 };
-
-std::string AngleColumn(std::size_t coordinate) {
-  return std::string(kCoordinateNames[coordinate]) + "_deg";
-}
 
 // One position of the arm as typed.
 struct TypedPose {
@@ -143,67 +140,35 @@ void SolveOne(const SolveArguments& arguments) {
   out.Commit();
 }
 
-// Reads poses row by row and writes each with its angles; memory does not grow with the file.
-// `bytes` is the length of the input, 0 if it is not known.
-void SolveRows(std::istream& in, const std::string& name, std::uintmax_t bytes,
-               const SolveArguments& arguments) {
-  const ShoulderRhythm rhythm = ChosenRhythm(arguments.rhythm);
-  const double axial_rad =
-      RadiansFromDegrees(NumberArgument("--axial", arguments.axial_deg.value_or("0")));
-  CsvReader csv(in, name);
-  const std::size_t elevation_column = csv.Column(kElevationColumn);
-  const std::size_t plane_column = csv.Column(kPlaneColumn);
-  const bool has_axial = csv.HasColumn(kAxialColumn);
-  const std::size_t axial_column = has_axial ? csv.Column(kAxialColumn) : 0;
-  if (has_axial && arguments.axial_deg) {
-    csv.Fail("the column axial_deg and --axial exclude each other. Remove one");
+std::size_t ChosenThreads(const std::optional<std::string>& text) {
+  if (!text) {
+    // Where the number of cores is not known it is 0.
+    return std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, kMostThreadsUnasked);
   }
+  const std::optional<double> number = FiniteNumber(*text);
+  if (!number || *number < 1 || *number > kMostThreads || *number != std::floor(*number)) {
+    throw InputError("--threads '" + *text + "': not a whole number from 1 to " +
+                     std::to_string(kMostThreads) + ". Give one such as --threads 2");
+  }
+  return static_cast<std::size_t>(*number);
+}
 
-  std::string text = csv.header_line();
-  const auto append_column = [&csv, &text](const std::string& column) {
-    if (csv.HasColumn(column)) {
-      csv.Fail("column '" + column + "' would stand twice in the output. Rename it in the input");
-    }
-    text += "," + column;
-  };
-  for (std::size_t k = 0; k < kCoordinateCount; ++k) {
-    append_column(AngleColumn(k));
+void SolveFile(const RowSource& source, const SolveArguments& arguments) {
+  RowOptions options;
+  options.threads = ChosenThreads(arguments.threads);
+  if (arguments.axial_deg) {
+    options.axial_deg = NumberArgument("--axial", *arguments.axial_deg);
   }
-  append_column(kClampedColumn);
-  text += '\n';
-
-  constexpr std::size_t kBufferSize = 1 << 16;
-  OutputFile out(arguments.out);
-  TerminalProgress progress("solving", arguments.out != "-");
-  std::uintmax_t bytes_done = 0;
-  while (csv.Next()) {
-    const ShoulderSolution solution =
-        rhythm.Solve({RadiansFromDegrees(csv.Number(elevation_column)),
-                      RadiansFromDegrees(csv.Number(plane_column)),
-                      has_axial ? RadiansFromDegrees(csv.Number(axial_column)) : axial_rad});
-    text += csv.line();
-    for (const double angle_rad : AnglesFromPose(solution.pose)) {
-      text += ',';
-      AppendNumber(text, DegreesFromRadians(angle_rad));
-    }
-    text += solution.clamped ? ",1\n" : ",0\n";
-    bytes_done += csv.line().size() + 1;
-    if (text.size() > kBufferSize) {
-      out.Write(text);
-      text.clear();
-      if (bytes > 0) {
-        progress(std::min(1.0, static_cast<double>(bytes_done) / static_cast<double>(bytes)));
-      }
-    }
-  }
-  out.Write(text);
-  out.Commit();
+  SolveRows(source, arguments.out, ChosenRhythm(arguments.rhythm), options);
 }
 
 void Solve(const SolveArguments& arguments) {
   const bool one = arguments.elevation_deg.has_value() || arguments.plane_deg.has_value();
   if (one && !arguments.in.empty()) {
     throw InputError("--in and --elevation, --plane exclude each other. Give a file or one pose");
+  }
+  if (one && arguments.threads) {
+    throw InputError("--threads is for a file of poses. For one pose leave it away");
   }
   if (one) {
     SolveOne(arguments);
@@ -217,13 +182,13 @@ void Solve(const SolveArguments& arguments) {
     throw InputError("--json is for one pose. With --in the output is CSV: leave --json away");
   }
   if (arguments.in == "-") {
-    SolveRows(std::cin, "standard input", 0, arguments);
+    SolveFile({std::cin, "standard input", 0}, arguments);
     return;
   }
   std::ifstream in = OpenTextFile(arguments.in);
   std::error_code unknown_size;
   const std::uintmax_t bytes = std::filesystem::file_size(arguments.in, unknown_size);
-  SolveRows(in, arguments.in, unknown_size ? 0 : bytes, arguments);
+  SolveFile({in, arguments.in, unknown_size ? 0 : bytes}, arguments);
 }
 
 }  // namespace
@@ -247,6 +212,10 @@ void AddSolveCommand(CLI::App& program) {
       ->type_name("FILE");
   verb->add_option("--out", arguments->out, "Where to write; - for standard output (default)")
       ->type_name("FILE");
+  verb->add_option("--threads", arguments->threads,
+                   "How many threads solve a file, 1 to 64; as many as there are cores, 4 at most, "
+                   "if not given. The output is the same")
+      ->type_name("N");
   verb->add_flag("--json", arguments->json, "One pose as JSON");
   AddRhythmArguments(*verb, arguments->rhythm);
   verb->footer(

@@ -1,0 +1,266 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "commands/solve_rows.h"
+
+#include <algorithm>
+#include <array>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <system_error>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "commands/output_file.h"
+#include "commands/progress.h"
+#include "tables/csv.h"
+#include "tables/number_text.h"
+
+namespace girdle {
+namespace {
+
+// A column of the input that says what is asked.
+struct CommandColumn {
+  const char* name;
+  double ArmCommand::*angle_rad;
+  bool is_required;
+};
+
+constexpr std::array<CommandColumn, 3> kCommandColumns = {{
+    {kElevationColumn, &ArmCommand::elevation_rad, true},
+    {kPlaneColumn, &ArmCommand::plane_rad, true},
+    {kAxialColumn, &ArmCommand::axial_rad, false},
+}};
+
+// Columns of the output that are written together, each with a comma before it.
+struct AnswerColumns {
+  std::vector<std::string> names;
+  void (*append)(std::string& text, const ShoulderSolution& solution);
+};
+
+void AppendAngles(std::string& text, const ShoulderSolution& solution) {
+  for (const double angle_rad : AnglesFromPose(solution.pose)) {
+    text += ',';
+    AppendRounded(text, DegreesFromRadians(angle_rad));
+  }
+}
+
+void AppendClamped(std::string& text, const ShoulderSolution& solution) {
+  text += solution.clamped ? ",1" : ",0";
+}
+
+// In the order of the output.
+std::vector<AnswerColumns> AllAnswerColumns() {
+  std::vector<std::string> angles;
+  for (const std::string_view coordinate : kCoordinateNames) {
+    angles.push_back(std::string(coordinate) + "_deg");
+  }
+  return {{angles, AppendAngles}, {{kClampedColumn}, AppendClamped}};
+}
+
+// What is read from a row and what is written behind it. Immutable: threads share it.
+class RowColumns {
+ public:
+  // Throws InputError at the header if a column is missing, stands there beside an option that
+  // says the same, or would stand twice in the output.
+  RowColumns(const CsvReader& csv, const RowOptions& options) : answers_(AllAnswerColumns()) {
+    for (const CommandColumn& column : kCommandColumns) {
+      if (column.is_required || csv.HasColumn(column.name)) {
+        commands_.emplace_back(csv.Column(column.name), column.angle_rad);
+      }
+    }
+    if (options.axial_deg) {
+      if (csv.HasColumn(kAxialColumn)) {
+        csv.Fail("the column axial_deg and --axial exclude each other. Remove one");
+      }
+      unless_given_.axial_rad = RadiansFromDegrees(*options.axial_deg);
+    }
+    for (const AnswerColumns& columns : answers_) {
+      for (const std::string& name : columns.names) {
+        if (csv.HasColumn(name)) {
+          csv.Fail("column '" + name + "' would stand twice in the output. Rename it in the input");
+        }
+      }
+    }
+  }
+
+  // The header of the output behind that of the input, with a line end.
+  [[nodiscard]] std::string HeaderText() const {
+    std::string text;
+    for (const AnswerColumns& columns : answers_) {
+      for (const std::string& name : columns.names) {
+        text += "," + name;
+      }
+    }
+    return text + "\n";
+  }
+
+  // Solves the current row and appends it, with its answer, to `text`.
+  void Append(std::string& text, const CsvRows& row, const ShoulderRhythm& rhythm) const {
+    ArmCommand command = unless_given_;
+    for (const auto& [column, angle_rad] : commands_) {
+      command.*angle_rad = RadiansFromDegrees(row.Number(column));
+    }
+    const ShoulderSolution solution = rhythm.Solve(command);
+    text += row.line();
+    for (const AnswerColumns& columns : answers_) {
+      columns.append(text, solution);
+    }
+    text += '\n';
+  }
+
+ private:
+  std::vector<std::pair<std::size_t, double ArmCommand::*>> commands_;
+  ArmCommand unless_given_;  ///< what a row without a column for it asks
+  std::vector<AnswerColumns> answers_;
+};
+
+// A number of successive rows on their way from the input to the output.
+struct Portion {
+  std::size_t turn;  // from 0, in the order of the input
+  CsvBlock rows;
+  std::string answer;
+  std::exception_ptr error;
+};
+
+// Workers that each take a block of rows, answer it, and write when all before it is written.
+class RowWorkers {
+ public:
+  RowWorkers(CsvReader& csv, const RowColumns& columns, const ShoulderRhythm& rhythm,
+             OutputFile& out, TerminalProgress& progress, std::uintmax_t bytes)
+      : columns_(columns),
+        rhythm_(rhythm),
+        csv_(csv),
+        out_(out),
+        progress_(progress),
+        bytes_(bytes),
+        unwritten_header_(csv.header_line() + columns.HeaderText()) {}
+
+  // Answers all rows with so many threads, this one among them. Throws the first error in the order
+  // of the rows.
+  void Run(std::size_t threads) {
+    {
+      std::vector<std::jthread> others;
+      for (std::size_t i = 1; i < threads; ++i) {
+        try {
+          others.emplace_back([this] { Work(); });
+        } catch (const std::system_error&) {
+          break;  // no more threads are to be had: these will do
+        }
+      }
+      Work();
+    }
+    if (error_) {
+      std::rethrow_exception(error_);
+    }
+    out_.Write(unwritten_header_);
+  }
+
+ private:
+  void Work() {
+    CsvRows rows(csv_.header());
+    Portion portion;
+    while (Take(portion)) {
+      if (!portion.error) {
+        Answer(portion, rows);
+      }
+      Write(portion);
+    }
+  }
+
+  // Takes the next rows, or the error in their place. Returns false if there is nothing left to do.
+  // Nobody waits for input while an answer or an error is on its way.
+  [[nodiscard]] bool Take(Portion& portion) {
+    const std::lock_guard reading(reading_);
+    portion.error = nullptr;
+    try {
+      if (!csv_.HasLinesAtHand()) {
+        std::unique_lock writing(writing_);
+        written_.wait(writing, [this] { return turns_written_ == turns_taken_ || error_; });
+        out_.Flush();
+      }
+      if (is_stopped() || !csv_.TakeBlock(portion.rows)) {
+        return false;
+      }
+    } catch (...) {
+      portion.error = std::current_exception();
+    }
+    portion.turn = turns_taken_++;
+    return true;
+  }
+
+  void Answer(Portion& portion, CsvRows& rows) const noexcept {
+    portion.answer.clear();
+    try {
+      rows.Start(portion.rows);
+      while (rows.Next()) {
+        columns_.Append(portion.answer, rows, rhythm_);
+      }
+    } catch (...) {
+      portion.error = std::current_exception();
+    }
+  }
+
+  // Writes the answer when it is its turn. After an error nothing is written any more.
+  void Write(const Portion& portion) {
+    std::unique_lock writing(writing_);
+    written_.wait(writing, [&] { return turns_written_ == portion.turn || error_; });
+    if (!error_) {
+      try {
+        if (portion.error) {
+          std::rethrow_exception(portion.error);
+        }
+        out_.Write(unwritten_header_);
+        unwritten_header_.clear();
+        out_.Write(portion.answer);
+        bytes_done_ += portion.rows.text.size();
+        if (bytes_ > 0) {
+          progress_(std::min(1.0, static_cast<double>(bytes_done_) / static_cast<double>(bytes_)));
+        }
+        ++turns_written_;
+      } catch (...) {
+        error_ = std::current_exception();
+      }
+    }
+    written_.notify_all();
+  }
+
+  [[nodiscard]] bool is_stopped() {
+    const std::lock_guard writing(writing_);
+    return error_ != nullptr;
+  }
+
+  const RowColumns& columns_;
+  const ShoulderRhythm& rhythm_;
+
+  // Locked before writing_ where both are.
+  std::mutex reading_;
+  CsvReader& csv_;
+  std::size_t turns_taken_ = 0;
+
+  std::mutex writing_;
+  std::condition_variable written_;  // or failed
+  OutputFile& out_;
+  TerminalProgress& progress_;
+  std::uintmax_t bytes_;
+  std::uintmax_t bytes_done_ = 0;
+  std::string unwritten_header_;  // empty when it is written, which is with the first rows
+  std::size_t turns_written_ = 0;
+  std::exception_ptr error_;
+};
+
+}  // namespace
+
+void SolveRows(const RowSource& source, const std::string& out, const ShoulderRhythm& rhythm,
+               const RowOptions& options) {
+  CsvReader csv(source.in, source.name);
+  const RowColumns columns(csv, options);
+  OutputFile file(out);
+  TerminalProgress progress("solving", out != "-");
+  RowWorkers(csv, columns, rhythm, file, progress, source.bytes).Run(options.threads);
+  file.Commit();
+}
+
+}  // namespace girdle

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+/// Solving a CSV of poses, row by row.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <istream>
+#include <optional>
+#include <string>
+
+#include "kinematics/shoulder_rhythm.h"
+
+namespace girdle {
+
+/// Columns of the input and, with what was typed, keys of the JSON.
+inline constexpr const char* kElevationColumn = "elevation_deg";
+inline constexpr const char* kPlaneColumn = "plane_deg";
+inline constexpr const char* kAxialColumn = "axial_deg";
+/// Columns of the output and keys of the JSON.
+inline constexpr const char* kClampedColumn = "clamped";
+
+/// Where rows come from.
+struct RowSource {
+  std::istream& in;
+  std::string name;      ///< for messages
+  std::uintmax_t bytes;  ///< to come; 0 if that is not known
+};
+
+struct RowOptions {
+  std::optional<double> axial_deg;  ///< of all rows; excludes a column of its own
+  std::size_t threads = 1;          ///< at least 1
+};
+
+/// Writes every row of `source` with its angles behind it to `out` (`-` is standard output), in
+/// their order and with the same bytes whatever the number of threads. Memory does not grow with
+/// the number of rows. Whenever it has to wait for its input, all rows that came are answered, on
+/// standard output too.
+///
+/// Throws InputError, with file and line, at the first row that cannot be solved; a file that was
+/// to be written is then as it was before, and of standard output the rows are lacking that stand
+/// after some row before that one.
+void SolveRows(const RowSource& source, const std::string& out, const ShoulderRhythm& rhythm,
+               const RowOptions& options);
+
+}  // namespace girdle
