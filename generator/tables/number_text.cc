@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 
 namespace girdle {
@@ -45,11 +46,10 @@ std::uint64_t RoundedUnits(double value) {
     return 0;
   }
   const Uint128 product = Uint128{(bits & (kHiddenBit - 1)) | kHiddenBit} * kFiveToTwelve;
-  const auto below = static_cast<std::uint64_t>(product >> shift);
-  const Uint128 rest = product - (Uint128{below} << shift);
-  const Uint128 half = Uint128{1} << (shift - 1);
-  const bool is_up = rest > half || (rest == half && below % 2 == 1);
-  return below + (is_up ? 1 : 0);
+  // Just under one half more, and one half where the digit would be odd: what is left falls down.
+  const Uint128 under_half = (Uint128{1} << (shift - 1)) - 1;
+  const Uint128 odd = (product >> shift) & 1;
+  return static_cast<std::uint64_t>((product + under_half + odd) >> shift);
 }
 
 constexpr std::array<char, 200> kDigitPairs = [] {
@@ -63,9 +63,8 @@ constexpr std::array<char, 200> kDigitPairs = [] {
 
 // Writes two digits, leading zeros included, and returns the place behind them.
 char* WritePair(char* out, std::uint32_t number) {
-  *out++ = kDigitPairs[2 * number];
-  *out++ = kDigitPairs[2 * number + 1];
-  return out;
+  std::memcpy(out, &kDigitPairs[std::size_t{2} * number], 2);
+  return out + 2;
 }
 
 char* WriteSixDigits(char* out, std::uint32_t number) {
@@ -74,17 +73,14 @@ char* WriteSixDigits(char* out, std::uint32_t number) {
   return WritePair(out, number % 100);
 }
 
-// Writes a number below 1000 without leading zeros.
+// Writes a number below 1000 without leading zeros; up to two characters behind it may change.
 char* WriteWhole(char* out, std::uint32_t number) {
-  if (number >= 100) {
-    *out++ = static_cast<char>('0' + number / 100);
-    return WritePair(out, number % 100);
-  }
-  if (number >= 10) {
-    return WritePair(out, number);
-  }
-  *out++ = static_cast<char>('0' + number);
-  return out;
+  std::array<char, 5> digits{static_cast<char>('0' + number / 100)};
+  WritePair(&digits[1], number % 100);
+  // How many digits there are is as good as random: no branch.
+  const std::size_t zeros = (number < 10 ? 1U : 0U) + (number < 100 ? 1U : 0U);
+  std::memcpy(out, &digits[zeros], 3);
+  return out + 3 - zeros;
 }
 
 }  // namespace
@@ -130,9 +126,8 @@ void AppendRounded(std::string& text, double value) {
   }
   std::array<char, kLongestRounded> buffer;  // NOLINT(*-member-init): written below
   char* out = buffer.data();
-  if (std::signbit(value) && units > 0) {
-    *out++ = '-';
-  }
+  *out = '-';
+  out += std::signbit(value) && units > 0 ? 1 : 0;
   out = WriteWhole(out, static_cast<std::uint32_t>(units / kUnitsPerOne));
   if (const std::uint64_t decimals = units % kUnitsPerOne; decimals > 0) {
     constexpr std::uint64_t kHalf = 1'000'000;
