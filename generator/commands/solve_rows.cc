@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <condition_variable>
 #include <exception>
 #include <mutex>
@@ -21,20 +22,23 @@
 namespace girdle {
 namespace {
 
-// A column of the input that says what is asked.
+// A column of the input that says what is asked. A further one is a line in kCommandColumns.
 struct CommandColumn {
   const char* name;
   double ArmCommand::*angle_rad;
-  bool is_required;
+  // For a column that may be missing: what stands in its place for all rows.
+  const char* option = nullptr;
+  std::optional<double> RowOptions::*option_deg = nullptr;
 };
 
 constexpr std::array<CommandColumn, 3> kCommandColumns = {{
-    {kElevationColumn, &ArmCommand::elevation_rad, true},
-    {kPlaneColumn, &ArmCommand::plane_rad, true},
-    {kAxialColumn, &ArmCommand::axial_rad, false},
+    {kElevationColumn, &ArmCommand::elevation_rad},
+    {kPlaneColumn, &ArmCommand::plane_rad},
+    {kAxialColumn, &ArmCommand::axial_rad, "--axial", &RowOptions::axial_deg},
 }};
 
-// Columns of the output that are written together, each with a comma before it.
+// Columns of the output that are written together, each with a comma before it. Further ones are a
+// function and a line in AllAnswerColumns.
 struct AnswerColumns {
   std::vector<std::string> names;
   void (*append)(std::string& text, const ShoulderSolution& solution);
@@ -54,6 +58,7 @@ void AppendClamped(std::string& text, const ShoulderSolution& solution) {
 // In the order of the output.
 std::vector<AnswerColumns> AllAnswerColumns() {
   std::vector<std::string> angles;
+  angles.reserve(kCoordinateCount);
   for (const std::string_view coordinate : kCoordinateNames) {
     angles.push_back(std::string(coordinate) + "_deg");
   }
@@ -63,19 +68,21 @@ std::vector<AnswerColumns> AllAnswerColumns() {
 // What is read from a row and what is written behind it. Immutable: threads share it.
 class RowColumns {
  public:
-  // Throws InputError at the header if a column is missing, stands there beside an option that
-  // says the same, or would stand twice in the output.
+  // Throws InputError at the header if a column is missing, stands there beside the option that
+  // replaces it, or would stand twice in the output.
   RowColumns(const CsvReader& csv, const RowOptions& options) : answers_(AllAnswerColumns()) {
     for (const CommandColumn& column : kCommandColumns) {
-      if (column.is_required || csv.HasColumn(column.name)) {
+      const std::optional<double> option_deg =
+          column.option == nullptr ? std::nullopt : options.*column.option_deg;
+      if (column.option == nullptr || csv.HasColumn(column.name)) {
         commands_.emplace_back(csv.Column(column.name), column.angle_rad);
+        if (option_deg) {
+          csv.Fail("the column " + std::string(column.name) + " and " + column.option +
+                   " exclude each other. Remove one");
+        }
+      } else if (option_deg) {
+        unless_given_.*column.angle_rad = RadiansFromDegrees(*option_deg);
       }
-    }
-    if (options.axial_deg) {
-      if (csv.HasColumn(kAxialColumn)) {
-        csv.Fail("the column axial_deg and --axial exclude each other. Remove one");
-      }
-      unless_given_.axial_rad = RadiansFromDegrees(*options.axial_deg);
     }
     for (const AnswerColumns& columns : answers_) {
       for (const std::string& name : columns.names) {
@@ -181,7 +188,7 @@ class RowWorkers {
         written_.wait(writing, [this] { return turns_written_ == turns_taken_ || error_; });
         out_.Flush();
       }
-      if (is_stopped() || !csv_.TakeBlock(portion.rows)) {
+      if (is_stopped_ || !csv_.TakeBlock(portion.rows)) {
         return false;
       }
     } catch (...) {
@@ -222,14 +229,10 @@ class RowWorkers {
         ++turns_written_;
       } catch (...) {
         error_ = std::current_exception();
+        is_stopped_ = true;
       }
     }
     written_.notify_all();
-  }
-
-  [[nodiscard]] bool is_stopped() {
-    const std::lock_guard writing(writing_);
-    return error_ != nullptr;
   }
 
   const RowColumns& columns_;
@@ -248,7 +251,9 @@ class RowWorkers {
   std::uintmax_t bytes_done_ = 0;
   std::string unwritten_header_;  // empty when it is written, which is with the first rows
   std::size_t turns_written_ = 0;
-  std::exception_ptr error_;
+  std::exception_ptr error_;  // the first in the order of the rows
+  // As error_ says, for those who do not lock writing_: it is locked while a block is written.
+  std::atomic<bool> is_stopped_ = false;
 };
 
 }  // namespace

@@ -14,11 +14,11 @@
 
 namespace girdle {
 
-/// Columns of the input and, with what was typed, keys of the JSON.
+/// Columns of the input, and of one pose as JSON the keys.
 inline constexpr const char* kElevationColumn = "elevation_deg";
 inline constexpr const char* kPlaneColumn = "plane_deg";
 inline constexpr const char* kAxialColumn = "axial_deg";
-/// Columns of the output and keys of the JSON.
+/// Of the output.
 inline constexpr const char* kClampedColumn = "clamped";
 
 /// Where rows come from.
@@ -28,8 +28,9 @@ struct RowSource {
   std::uintmax_t bytes;  ///< to come; 0 if that is not known
 };
 
+/// What all rows have in common.
 struct RowOptions {
-  std::optional<double> axial_deg;  ///< of all rows; excludes a column of its own
+  std::optional<double> axial_deg;  ///< in place of the column, which must not be there then
   std::size_t threads = 1;          ///< at least 1
 };
 
@@ -38,9 +39,8 @@ struct RowOptions {
 /// the number of rows. Whenever it has to wait for its input, all rows that came are answered, on
 /// standard output too.
 ///
-/// Throws InputError, with file and line, at the first row that cannot be solved; a file that was
-/// to be written is then as it was before, and of standard output the rows are lacking that stand
-/// after some row before that one.
+/// Throws InputError, with file and line, at the first row that cannot be solved. A file that was
+/// to be written is then as it was before; standard output has whole rows from before that row.
 void SolveRows(const RowSource& source, const std::string& out, const ShoulderRhythm& rhythm,
                const RowOptions& options);
 
