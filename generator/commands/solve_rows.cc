@@ -145,20 +145,22 @@ class RowWorkers {
         bytes_(bytes),
         unwritten_header_(csv.header_line() + columns.HeaderText()) {}
 
-  // Answers all rows with so many threads, this one among them. Throws the first error in the order
-  // of the rows.
+  // Answers all rows with so many threads. Throws the first error in the order of the rows.
   void Run(std::size_t threads) {
-    {
-      std::vector<std::jthread> others;
-      for (std::size_t i = 1; i < threads; ++i) {
-        try {
-          others.emplace_back([this] { Work(); });
-        } catch (const std::system_error&) {
-          break;  // no more threads are to be had: these will do
-        }
+    std::vector<std::jthread> workers;
+    // Of several, none is this thread: what it writes lies beside what all of them read, and they
+    // would wait for each other's caches.
+    for (std::size_t i = 0; threads > 1 && i < threads; ++i) {
+      try {
+        workers.emplace_back([this] { Work(); });
+      } catch (const std::system_error&) {
+        break;  // no more threads are to be had: these will do
       }
+    }
+    if (workers.empty()) {
       Work();
     }
+    workers.clear();  // waits for them
     if (error_) {
       std::rethrow_exception(error_);
     }
