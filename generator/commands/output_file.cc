@@ -103,10 +103,14 @@ void OutputFile::Write(std::string_view text) {
   }
 }
 
-void OutputFile::Commit() {
+void OutputFile::Flush() {
   if (std::fflush(file_) != 0) {
     Fail();
   }
+}
+
+void OutputFile::Commit() {
+  Flush();
   if (file_ == stdout) {
     return;
   }

@@ -28,6 +28,8 @@ class OutputFile {
   ~OutputFile();
 
   void Write(std::string_view text);
+  /// Hands on what was written so far, as to whoever waits at the other end of a pipe.
+  void Flush();
   /// Flushes and puts the file in its place.
   void Commit();
 

@@ -4,6 +4,8 @@
 #include "commands/solve_command.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -11,13 +13,19 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <system_error>
+#include <thread>
+#include <utility>
+#include <vector>
 
+#include "commands/angle_sweep.h"
 #include "commands/output_file.h"
-#include "commands/progress.h"
 #include "commands/rhythm_arguments.h"
-#include "tables/csv.h"
+#include "commands/solve_rows.h"
+#include "kinematics/model_names.h"
+#include "tables/built_in.h"
 #include "tables/input_error.h"
 #include "tables/number_text.h"
 #include "tables/text_file.h"
@@ -25,31 +33,81 @@
 namespace girdle {
 namespace {
 
-constexpr const char* kElevationColumn = "elevation_deg";
-constexpr const char* kPlaneColumn = "plane_deg";
-constexpr const char* kAxialColumn = "axial_deg";
-constexpr const char* kClampedColumn = "clamped";
+constexpr std::size_t kMostThreads = 64;
+// More would surprise whoever shares the machine.
+constexpr std::size_t kMostThreadsUnasked = 4;
 
 struct SolveArguments {
   RhythmArguments rhythm;
   std::optional<std::string> elevation_deg;
   std::optional<std::string> plane_deg;
   std::optional<std::string> axial_deg;
+  std::optional<std::string> shrug_deg;
+  std::optional<std::string> protraction_deg;
+  std::optional<std::string> posture;
+  std::optional<std::string> threads;
   std::string in;
   std::string out;
+  bool rates = false;
   bool json = false;
 };
 
-std::string AngleColumn(std::size_t coordinate) {
-  return std::string(kCoordinateNames[coordinate]) + "_deg";
-}
+// A million positions; more belong into a file.
+constexpr std::uint64_t kMostSwept = 1'000'000;
+constexpr double kFullCircle_deg = 360;
+constexpr SweptAngle kElevation = {"--elevation", "0:180:5", -kFullCircle_deg, kFullCircle_deg};
+constexpr SweptAngle kPlane = {"--plane", "-60:135:5", -kFullCircle_deg, kFullCircle_deg};
 
 // One position of the arm as typed.
 struct TypedPose {
   double elevation_deg;
   double plane_deg;
   double axial_deg;
+  double shrug_deg;
+  double protraction_deg;
+
+  [[nodiscard]] ArmCommand command() const {
+    return {RadiansFromDegrees(elevation_deg), RadiansFromDegrees(plane_deg),
+            RadiansFromDegrees(axial_deg), RadiansFromDegrees(shrug_deg),
+            RadiansFromDegrees(protraction_deg)};
+  }
 };
+
+// An offset that is given, within its bounds.
+std::optional<double> OffsetArgument(const std::string& option,
+                                     const std::optional<std::string>& text,
+                                     const CoordinateRange& bounds) {
+  if (!text) {
+    return std::nullopt;
+  }
+  const double offset_deg = NumberArgument(option, *text);
+  const double lower_deg = DegreesFromRadians(bounds.lower_rad);
+  const double upper_deg = DegreesFromRadians(bounds.upper_rad);
+  if (offset_deg < lower_deg || offset_deg > upper_deg) {
+    constexpr int kDecimals = 6;
+    throw InputError(option + " " + *text + ": a clavicle goes from " +
+                     RoundedText(lower_deg, kDecimals) + " to " +
+                     RoundedText(upper_deg, kDecimals) +
+                     " deg beside the rhythm. Give an offset within");
+  }
+  return offset_deg;
+}
+std::optional<double> ShrugArgument(const SolveArguments& arguments) {
+  return OffsetArgument("--shrug", arguments.shrug_deg, kShrugRange);
+}
+std::optional<double> ProtractionArgument(const SolveArguments& arguments) {
+  return OffsetArgument("--protraction", arguments.protraction_deg, kProtractionRange);
+}
+
+ShoulderRhythm RhythmFor(const SolveArguments& arguments) {
+  ShoulderRhythm rhythm = ChosenRhythm(arguments.rhythm);
+  if (arguments.rates && rhythm.options().interpolation != Interpolation::kSmooth) {
+    throw InputError("--rates: the interpolation " +
+                     std::string(Name(rhythm.options().interpolation)) +
+                     " has no derivatives. Choose --interpolation smooth");
+  }
+  return rhythm;
+}
 
 double RequiredNumber(const std::string& option, const std::optional<std::string>& text) {
   if (!text) {
@@ -74,15 +132,46 @@ CellEdges EdgesOf(const RhythmTable& table, const RhythmCell& cell) {
           DegreesFromRadians(planes[cell.plane_index + 1])};
 }
 
+// First and second derivatives [deg per deg, deg per deg^2].
+nlohmann::ordered_json DerivativesAsJson(const ShoulderDerivatives& derivatives) {
+  nlohmann::ordered_json json;
+  const auto first = [](const Vector3& w) { return std::array{w.x, w.y, w.z}; };
+  const auto second = [](const Vector3& w) {
+    return std::array{w.x * kRadiansPerDegree, w.y * kRadiansPerDegree, w.z * kRadiansPerDegree};
+  };
+  for (std::size_t joint = 0; joint < kJointCount; ++joint) {
+    const RotationDerivatives& rotation = derivatives.joints[joint];
+    json["angular_velocity"][std::string(kJointNames[joint])] = {
+        {"by_elevation", first(rotation.rate.by_elevation)},
+        {"by_plane", first(rotation.rate.by_plane)},
+        {"by_elevation_twice_per_deg", second(rotation.by_elevation_twice)},
+        {"by_elevation_and_plane_per_deg", second(rotation.by_elevation_and_plane)},
+        {"by_plane_twice_per_deg", second(rotation.by_plane_twice)}};
+  }
+  for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+    const AngleDerivatives& angle = derivatives.angles[k];
+    json["angles"][std::string(kCoordinateNames[k])] = {
+        {"by_elevation", angle.by_elevation},
+        {"by_plane", angle.by_plane},
+        {"by_elevation_twice_per_deg", angle.by_elevation_twice * kRadiansPerDegree},
+        {"by_elevation_and_plane_per_deg", angle.by_elevation_and_plane * kRadiansPerDegree},
+        {"by_plane_twice_per_deg", angle.by_plane_twice * kRadiansPerDegree}};
+  }
+  return json;
+}
+
 std::string PoseAsJson(const ShoulderRhythm& rhythm, const TypedPose& typed,
-                       const ShoulderSolution& solution) {
+                       const ShoulderSolution& solution, bool rates) {
   const CellEdges edges = EdgesOf(rhythm.table(), solution.cell);
   nlohmann::ordered_json json;
   json[kElevationColumn] = typed.elevation_deg;
   json[kPlaneColumn] = typed.plane_deg;
   json[kAxialColumn] = typed.axial_deg;
+  json[kShrugColumn] = typed.shrug_deg;
+  json[kProtractionColumn] = typed.protraction_deg;
   json["interpolation"] = Name(rhythm.options().interpolation);
   json["closure"] = Name(rhythm.options().closure);
+  json["range"] = Name(*rhythm.options().range);
   json["cell"] = {{"elevation_from_deg", edges.elevation_from_deg},
                   {"elevation_to_deg", edges.elevation_to_deg},
                   {"elevation_weight", solution.cell.elevation_weight},
@@ -90,23 +179,82 @@ std::string PoseAsJson(const ShoulderRhythm& rhythm, const TypedPose& typed,
                   {"plane_to_deg", edges.plane_to_deg},
                   {"plane_weight", solution.cell.plane_weight}};
   json[kClampedColumn] = solution.clamped;
-  json["distance_deg"] = DegreesFromRadians(solution.distance_rad);
+  json["used"] = {{kElevationColumn, DegreesFromRadians(solution.used.elevation_rad)},
+                  {kPlaneColumn, DegreesFromRadians(solution.used.plane_rad)},
+                  {kAxialColumn, DegreesFromRadians(solution.used.axial_rad)},
+                  {kShrugColumn, DegreesFromRadians(solution.used.shrug_rad)},
+                  {kProtractionColumn, DegreesFromRadians(solution.used.protraction_rad)}};
+  json[kDistanceColumn] = DegreesFromRadians(solution.distance_rad);
+  json[kOriginColumn] = Name(solution.origin);
   const JointAngles angles_rad = AnglesFromPose(solution.pose);
   for (std::size_t k = 0; k < kCoordinateCount; ++k) {
     json["angles_deg"][std::string(kCoordinateNames[k])] = DegreesFromRadians(angles_rad[k]);
   }
+  if (rates) {
+    json["derivatives"] = DerivativesAsJson(*rhythm.SolveDerivatives(typed.command()));
+  }
   return json.dump(2) + "\n";
 }
 
-std::string PoseAsText(const ShoulderRhythm& rhythm, const ShoulderSolution& solution) {
-  constexpr int kEdgeDecimals = 6;
-  constexpr int kAngleDecimals = 6;
-  constexpr std::size_t kNameWidth = 22;
-  constexpr std::size_t kAngleWidth = 13;
+constexpr std::size_t kNameWidth = 22;
+constexpr std::size_t kAngleWidth = 13;
+constexpr int kDecimals = 6;
+
+std::string AlignedLeft(std::string text, std::size_t width) {
+  text.resize(std::max(text.size(), width), ' ');
+  return text;
+}
+std::string AlignedRight(const std::string& text, std::size_t width) {
+  return std::string(width - std::min(width, text.size()), ' ') + text;
+}
+
+std::string AnglesAsText(const JointAngles& angles_rad) {
+  std::string text;
+  for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+    text += AlignedLeft(std::string(kCoordinateNames[k]), kNameWidth) +
+            AlignedRight(RoundedText(DegreesFromRadians(angles_rad[k]), kDecimals), kAngleWidth) +
+            " deg\n";
+  }
+  return text;
+}
+
+// How each angle changes with elevation and plane.
+std::string RatesAsText(const ShoulderDerivatives& derivatives) {
+  std::string text = "\n" + AlignedLeft("change of", kNameWidth) +
+                     AlignedRight("elevation", kAngleWidth) + AlignedRight("plane", kAngleWidth) +
+                     "  deg per deg\n";
+  for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+    const AngleDerivatives& angle = derivatives.angles[k];
+    text += AlignedLeft(std::string(kCoordinateNames[k]), kNameWidth) +
+            AlignedRight(RoundedText(angle.by_elevation, kDecimals), kAngleWidth) +
+            AlignedRight(RoundedText(angle.by_plane, kDecimals), kAngleWidth) + "\n";
+  }
+  return text;
+}
+
+// What the command used differs from the one given by.
+std::string UsedAsText(const ArmCommand& given, const ArmCommand& used) {
+  std::string text = "clamped         the nearest that can be done is used:";
+  const auto add = [&text](const char* name, double given_rad, double used_rad) {
+    if (given_rad != used_rad) {
+      text += std::string(" ") + name + " " + RoundedText(DegreesFromRadians(used_rad), kDecimals) +
+              " deg";
+    }
+  };
+  add("elevation", given.elevation_rad, used.elevation_rad);
+  add("plane", given.plane_rad, used.plane_rad);
+  add("axial", given.axial_rad, used.axial_rad);
+  add("shrug", given.shrug_rad, used.shrug_rad);
+  add("protraction", given.protraction_rad, used.protraction_rad);
+  return text + "\n";
+}
+
+std::string PoseAsText(const ShoulderRhythm& rhythm, const TypedPose& typed,
+                       const ShoulderSolution& solution, bool rates) {
   const CellEdges edges = EdgesOf(rhythm.table(), solution.cell);
   const auto range = [](double from_deg, double to_deg, double weight) {
-    return RoundedText(from_deg, kEdgeDecimals) + " to " + RoundedText(to_deg, kEdgeDecimals) +
-           " deg, weight " + RoundedText(weight, kEdgeDecimals) + "\n";
+    return RoundedText(from_deg, kDecimals) + " to " + RoundedText(to_deg, kDecimals) +
+           " deg, weight " + RoundedText(weight, kDecimals) + "\n";
   };
   std::string text =
       "elevation cell  " +
@@ -114,18 +262,16 @@ std::string PoseAsText(const ShoulderRhythm& rhythm, const ShoulderSolution& sol
       "plane cell      " +
       range(edges.plane_from_deg, edges.plane_to_deg, solution.cell.plane_weight);
   if (solution.clamped) {
-    text += "clamped         the command is " +
-            RoundedText(DegreesFromRadians(solution.distance_rad), kEdgeDecimals) +
-            " deg outside the table; its nearest point is used\n";
+    text += UsedAsText(typed.command(), solution.used);
   }
-  text += "\n";
-  const JointAngles angles_rad = AnglesFromPose(solution.pose);
-  for (std::size_t k = 0; k < kCoordinateCount; ++k) {
-    std::string name(kCoordinateNames[k]);
-    name.resize(kNameWidth, ' ');
-    const std::string angle = RoundedText(DegreesFromRadians(angles_rad[k]), kAngleDecimals);
-    text += name + std::string(kAngleWidth - std::min(kAngleWidth, angle.size()), ' ') + angle +
-            " deg\n";
+  text += "origin          " + std::string(Name(solution.origin));
+  if (solution.distance_rad > 0) {
+    text += ", " + RoundedText(DegreesFromRadians(solution.distance_rad), kDecimals) +
+            " deg from measured positions";
+  }
+  text += "\n\n" + AnglesAsText(AnglesFromPose(solution.pose));
+  if (rates) {
+    text += RatesAsText(*rhythm.SolveDerivatives(typed.command()));
   }
   return text;
 }
@@ -133,77 +279,116 @@ std::string PoseAsText(const ShoulderRhythm& rhythm, const ShoulderSolution& sol
 void SolveOne(const SolveArguments& arguments) {
   const TypedPose typed = {RequiredNumber("--elevation", arguments.elevation_deg),
                            RequiredNumber("--plane", arguments.plane_deg),
-                           NumberArgument("--axial", arguments.axial_deg.value_or("0"))};
-  const ShoulderRhythm rhythm = ChosenRhythm(arguments.rhythm);
-  const ShoulderSolution solution =
-      rhythm.Solve({RadiansFromDegrees(typed.elevation_deg), RadiansFromDegrees(typed.plane_deg),
-                    RadiansFromDegrees(typed.axial_deg)});
+                           NumberArgument("--axial", arguments.axial_deg.value_or("0")),
+                           ShrugArgument(arguments).value_or(0),
+                           ProtractionArgument(arguments).value_or(0)};
+  const ShoulderRhythm rhythm = RhythmFor(arguments);
+  const ShoulderSolution solution = rhythm.Solve(typed.command());
   OutputFile out(arguments.out);
-  out.Write(arguments.json ? PoseAsJson(rhythm, typed, solution) : PoseAsText(rhythm, solution));
+  out.Write(arguments.json ? PoseAsJson(rhythm, typed, solution, arguments.rates)
+                           : PoseAsText(rhythm, typed, solution, arguments.rates));
   out.Commit();
 }
 
-// Reads poses row by row and writes each with its angles; memory does not grow with the file.
-// `bytes` is the length of the input, 0 if it is not known.
-void SolveRows(std::istream& in, const std::string& name, std::uintmax_t bytes,
-               const SolveArguments& arguments) {
-  const ShoulderRhythm rhythm = ChosenRhythm(arguments.rhythm);
-  const double axial_rad =
-      RadiansFromDegrees(NumberArgument("--axial", arguments.axial_deg.value_or("0")));
-  CsvReader csv(in, name);
-  const std::size_t elevation_column = csv.Column(kElevationColumn);
-  const std::size_t plane_column = csv.Column(kPlaneColumn);
-  const bool has_axial = csv.HasColumn(kAxialColumn);
-  const std::size_t axial_column = has_axial ? csv.Column(kAxialColumn) : 0;
-  if (has_axial && arguments.axial_deg) {
-    csv.Fail("the column axial_deg and --axial exclude each other. Remove one");
+void SolvePosture(const SolveArguments& arguments) {
+  if (*arguments.posture != kRelaxedName) {
+    throw InputError("--pose " + *arguments.posture +
+                     ": not known. Choose one of: " + std::string(kRelaxedName));
   }
-
-  std::string text = csv.header_line();
-  const auto append_column = [&csv, &text](const std::string& column) {
-    if (csv.HasColumn(column)) {
-      csv.Fail("column '" + column + "' would stand twice in the output. Rename it in the input");
+  if (arguments.elevation_deg || arguments.plane_deg || arguments.axial_deg ||
+      arguments.shrug_deg || arguments.protraction_deg || arguments.rates ||
+      !arguments.in.empty() || arguments.threads) {
+    throw InputError("--pose says all of the arm. Leave the other options of the arm away");
+  }
+  const JointAngles angles_rad =
+      AnglesFromPose(HangingIn(RelaxedStanding(), ChosenRhythm(arguments.rhythm)));
+  std::string text = "posture         " + *arguments.posture + "\n\n" + AnglesAsText(angles_rad);
+  if (arguments.json) {
+    nlohmann::ordered_json json;
+    json["posture"] = *arguments.posture;
+    for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+      json["angles_deg"][std::string(kCoordinateNames[k])] = DegreesFromRadians(angles_rad[k]);
     }
-    text += "," + column;
-  };
-  for (std::size_t k = 0; k < kCoordinateCount; ++k) {
-    append_column(AngleColumn(k));
+    text = json.dump(2) + "\n";
   }
-  append_column(kClampedColumn);
-  text += '\n';
-
-  constexpr std::size_t kBufferSize = 1 << 16;
   OutputFile out(arguments.out);
-  TerminalProgress progress("solving", arguments.out != "-");
-  std::uintmax_t bytes_done = 0;
-  while (csv.Next()) {
-    const ShoulderSolution solution =
-        rhythm.Solve({RadiansFromDegrees(csv.Number(elevation_column)),
-                      RadiansFromDegrees(csv.Number(plane_column)),
-                      has_axial ? RadiansFromDegrees(csv.Number(axial_column)) : axial_rad});
-    text += csv.line();
-    for (const double angle_rad : AnglesFromPose(solution.pose)) {
-      text += ',';
-      AppendNumber(text, DegreesFromRadians(angle_rad));
-    }
-    text += solution.clamped ? ",1\n" : ",0\n";
-    bytes_done += csv.line().size() + 1;
-    if (text.size() > kBufferSize) {
-      out.Write(text);
-      text.clear();
-      if (bytes > 0) {
-        progress(std::min(1.0, static_cast<double>(bytes_done) / static_cast<double>(bytes)));
-      }
-    }
-  }
   out.Write(text);
   out.Commit();
 }
 
+std::size_t ChosenThreads(const std::optional<std::string>& text) {
+  if (!text) {
+    // Where the number of cores is not known it is 0.
+    return std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, kMostThreadsUnasked);
+  }
+  const std::optional<double> number = FiniteNumber(*text);
+  if (!number || *number < 1 || *number > kMostThreads || *number != std::floor(*number)) {
+    throw InputError("--threads '" + *text + "': not a whole number from 1 to " +
+                     std::to_string(kMostThreads) + ". Give one such as --threads 2");
+  }
+  return static_cast<std::size_t>(*number);
+}
+
+void SolveFile(const RowSource& source, const SolveArguments& arguments) {
+  RowOptions options;
+  options.threads = ChosenThreads(arguments.threads);
+  options.shrug_deg = ShrugArgument(arguments);
+  options.protraction_deg = ProtractionArgument(arguments);
+  options.has_rates = arguments.rates;
+  if (arguments.axial_deg) {
+    options.axial_deg = NumberArgument("--axial", *arguments.axial_deg);
+  }
+  SolveRows(source, arguments.out, RhythmFor(arguments), options);
+}
+
+// All combinations of the elevations and planes given, as a file of poses would be.
+void SolveSweep(const SolveArguments& arguments) {
+  const auto values = [](const SweptAngle& angle, const std::optional<std::string>& text) {
+    return text && IsSweep(*text) ? SweepValues_deg(angle, *text, kMostSwept)
+                                  : std::vector{RequiredNumber(std::string(angle.option), text)};
+  };
+  const std::vector<double> elevations_deg = values(kElevation, arguments.elevation_deg);
+  const std::vector<double> planes_deg = values(kPlane, arguments.plane_deg);
+  if (elevations_deg.size() * planes_deg.size() > kMostSwept) {
+    throw InputError("--elevation and --plane make " +
+                     std::to_string(elevations_deg.size() * planes_deg.size()) +
+                     " positions, at most " + std::to_string(kMostSwept) +
+                     " are solved at once. Give larger steps, or a file with --in");
+  }
+  std::string rows = std::string(kElevationColumn) + "," + kPlaneColumn + "\n";
+  for (const double plane_deg : planes_deg) {
+    for (const double elevation_deg : elevations_deg) {
+      AppendNumber(rows, elevation_deg);
+      rows += ',';
+      AppendNumber(rows, plane_deg);
+      rows += '\n';
+    }
+  }
+  const std::uintmax_t bytes = rows.size();
+  std::istringstream in(std::move(rows));
+  SolveFile({in, "the positions swept", bytes}, arguments);
+}
+
 void Solve(const SolveArguments& arguments) {
+  if (arguments.posture) {
+    SolvePosture(arguments);
+    return;
+  }
   const bool one = arguments.elevation_deg.has_value() || arguments.plane_deg.has_value();
   if (one && !arguments.in.empty()) {
     throw InputError("--in and --elevation, --plane exclude each other. Give a file or one pose");
+  }
+  const auto sweeps = [](const std::optional<std::string>& text) { return text && IsSweep(*text); };
+  if (sweeps(arguments.elevation_deg) || sweeps(arguments.plane_deg)) {
+    if (arguments.json) {
+      throw InputError(
+          "--json is for one pose. With FROM:TO:STEP the output is CSV: leave --json away");
+    }
+    SolveSweep(arguments);
+    return;
+  }
+  if (one && arguments.threads) {
+    throw InputError("--threads is for a file of poses. For one pose leave it away");
   }
   if (one) {
     SolveOne(arguments);
@@ -217,13 +402,13 @@ void Solve(const SolveArguments& arguments) {
     throw InputError("--json is for one pose. With --in the output is CSV: leave --json away");
   }
   if (arguments.in == "-") {
-    SolveRows(std::cin, "standard input", 0, arguments);
+    SolveFile({std::cin, "standard input", 0}, arguments);
     return;
   }
   std::ifstream in = OpenTextFile(arguments.in);
   std::error_code unknown_size;
   const std::uintmax_t bytes = std::filesystem::file_size(arguments.in, unknown_size);
-  SolveRows(in, arguments.in, unknown_size ? 0 : bytes, arguments);
+  SolveFile({in, arguments.in, unknown_size ? 0 : bytes}, arguments);
 }
 
 }  // namespace
@@ -233,25 +418,43 @@ void AddSolveCommand(CLI::App& program) {
   arguments->out = "-";
   CLI::App* verb =
       program.add_subcommand("solve", "Joint angles for one arm position or a CSV of them");
-  verb->add_option("--elevation", arguments->elevation_deg, "Humeral elevation")->type_name("DEG");
+  verb->add_option("--elevation", arguments->elevation_deg,
+                   "Humeral elevation, 0 to 180; FROM:TO:STEP gives a CSV of them")
+      ->type_name("DEG");
   verb->add_option("--plane", arguments->plane_deg,
-                   "Plane of elevation: 0 frontal, 40 scapular, 90 sagittal")
+                   "Plane of elevation, -60 to 135: 0 frontal, 40 scapular, 90 sagittal; or "
+                   "FROM:TO:STEP")
       ->type_name("DEG");
   verb->add_option("--axial", arguments->axial_deg,
                    "Turn about the humerus's long axis on top of the measured one")
       ->type_name("DEG");
+  verb->add_option("--shrug", arguments->shrug_deg,
+                   "Clavicle raised beyond the rhythm, up to 35; down to -15")
+      ->type_name("DEG");
+  verb->add_option("--protraction", arguments->protraction_deg,
+                   "Clavicle protracted beyond the rhythm, up to 30; back to -25")
+      ->type_name("DEG");
+  verb->add_option("--pose", arguments->posture, "A named posture instead: relaxed")
+      ->type_name("NAME");
+  verb->add_flag("--rates", arguments->rates,
+                 "With derivatives by elevation and plane; needs the interpolation smooth");
   verb->add_option(
           "--in", arguments->in,
-          "CSV with the columns elevation_deg and plane_deg, optionally axial_deg; - for standard "
-          "input")
+          "CSV with the columns elevation_deg and plane_deg, optionally axial_deg, shrug_deg, "
+          "protraction_deg; - for standard input")
       ->type_name("FILE");
   verb->add_option("--out", arguments->out, "Where to write; - for standard output (default)")
       ->type_name("FILE");
+  verb->add_option("--threads", arguments->threads,
+                   "How many threads solve a file, 1 to 64; as many as there are cores, 4 at most, "
+                   "if not given. The output is the same")
+      ->type_name("N");
   verb->add_flag("--json", arguments->json, "One pose as JSON");
   AddRhythmArguments(*verb, arguments->rhythm);
   verb->footer(
       "Examples:\n"
       "  girdle solve --elevation 23 --plane 50\n"
+      "  girdle solve --elevation 0:180:1 --plane -60:135:5 --out map.csv\n"
       "  girdle solve --in poses.csv --out angles.csv");
   verb->callback([arguments] { Solve(*arguments); });
 }

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// Numbers as text: strict reading, shortest round-trip writing; both independent of the locale.
+/// Numbers as text: strict reading, writing as short as round-trips or rounded; all independent of
+/// the locale.
 #pragma once
 
 #include <optional>
@@ -22,6 +23,14 @@ void AppendNumber(std::string& text, double value);
 
 /// Returns `value` rounded to `digits` significant ones, as short as that allows.
 [[nodiscard]] std::string SignificantText(double value, int digits);
+
+/// Decimals of AppendRounded: of an angle in degrees far below what any use of it resolves.
+inline constexpr int kRoundedDecimals = 12;
+
+/// Appends `value` rounded to kRoundedDecimals places, halves to the even digit, in fixed notation
+/// without trailing zeros and without a sign before zero: the text of RoundedText, made some ten
+/// times as fast where |value| < 1000.
+void AppendRounded(std::string& text, double value);
 
 /// Returns `value` rounded to `decimals` places, without trailing zeros; for tables that people
 /// read.

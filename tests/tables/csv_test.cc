@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <istream>
 #include <memory>
@@ -276,6 +277,176 @@ TEST(CsvReader, KeepsTheCommentsBeforeTheHeader) {
   CsvReader csv(in, "t.csv");
   EXPECT_EQ(csv.comments(), (std::vector<std::string>{"# one", "#two"}));
   EXPECT_EQ(csv.header_line(), "a,b");
+}
+
+// A stream that gives so many characters at a time, as a slow pipe does.
+class SlowBuffer : public std::streambuf {
+ public:
+  SlowBuffer(std::string text, std::size_t at_a_time)
+      : text_(std::move(text)), at_a_time_(at_a_time) {}
+
+  [[nodiscard]] std::size_t given() const { return given_; }
+
+ protected:
+  int_type underflow() override {
+    const std::size_t size = std::min(at_a_time_, text_.size() - given_);
+    if (size == 0) return traits_type::eof();
+    setg(text_.data() + given_, text_.data() + given_, text_.data() + given_ + size);
+    given_ += size;
+    return traits_type::to_int_type(*gptr());
+  }
+
+ private:
+  std::string text_;
+  std::size_t at_a_time_;
+  std::size_t given_ = 0;
+};
+
+// More than a few blocks.
+constexpr int kManyRows = 5000;
+
+// A text of many rows, with all that may stand in them, and its rows.
+struct LongText {
+  std::string text;
+  Rows rows;
+};
+
+LongText ManyRows(const std::string& line_end) {
+  LongText made;
+  made.text = "# long" + line_end + "a,b" + line_end;
+  for (int i = 0; i < kManyRows; ++i) {
+    const std::string number = std::to_string(i * i);
+    const bool is_quoted = i % 7 == 0;
+    made.text += (is_quoted ? "\"" + number + ",\"\"\"," : number + ",") + line_end;
+    made.rows.push_back({is_quoted ? number + ",\"" : number, ""});
+  }
+  return made;
+}
+
+class ManyRowsOfAStream : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(ManyRowsOfAStream, AreTheSameHoweverManyCharactersComeAtATime) {
+  for (const char* line_end : {"\n", "\r\n"}) {
+    const LongText expected = ManyRows(line_end);
+    SlowBuffer buffer(expected.text, GetParam());
+    std::istream in(&buffer);
+    CsvReader csv(in, "t.csv");
+    EXPECT_EQ(AllRows(csv), expected.rows);
+    EXPECT_EQ(csv.line_number(), kManyRows + 2U);
+  }
+}
+
+TEST_P(ManyRowsOfAStream, AreTheSameInBlocks) {
+  const LongText expected = ManyRows("\n");
+  SlowBuffer buffer(expected.text, GetParam());
+  std::istream in(&buffer);
+  CsvReader csv(in, "t.csv");
+  CsvRows rows(csv.header());
+  Rows found;
+  std::vector<CsvBlock> blocks(1);
+  while (csv.TakeBlock(blocks.back())) blocks.emplace_back();
+  EXPECT_GT(blocks.size(), 4U);
+  for (const CsvBlock& block : blocks) {
+    rows.Start(block);
+    while (rows.Next()) {
+      found.push_back({std::string(rows.Field(0)), std::string(rows.Field(1))});
+      EXPECT_EQ(rows.line_number(), found.size() + 2);
+    }
+  }
+  EXPECT_EQ(found, expected.rows);
+}
+
+TEST_P(ManyRowsOfAStream, AreReadUpToTheFirstFlaw) {
+  LongText expected = ManyRows("\n");
+  SlowBuffer buffer(expected.text + "1,2,3\n", GetParam());
+  std::istream in(&buffer);
+  EXPECT_EQ(
+      MessageOf<InputError>([&in] {
+        CsvReader csv(in, "t.csv");
+        AllRows(csv);
+      }),
+      "t.csv:" + std::to_string(kManyRows + 3) + ": 3 fields, expected 2 as in the header (a,b)");
+}
+
+INSTANTIATE_TEST_SUITE_P(AtATime, ManyRowsOfAStream,
+                         testing::Values(1, 2, 3, 100, 4096, 8191, 8192, 8193, 1 << 30));
+
+TEST(CsvReader, ReadsAByteOrderMarkThatComesInParts) {
+  SlowBuffer buffer(
+      "\xEF\xBB\xBF"
+      "a,b\n1,2\n",
+      1);
+  std::istream in(&buffer);
+  CsvReader csv(in, "t.csv");
+  EXPECT_EQ(csv.header_line(), "a,b");
+  EXPECT_EQ(AllRows(csv), (Rows{{"1", "2"}}));
+}
+
+TEST(CsvReader, ReadsALineThatIsLongerThanABlock) {
+  const std::string longest(100'000, '7');
+  std::istringstream in("a,b\n1,2\n" + longest + ",\"" + longest + "\"\n3,4\n");
+  CsvReader csv(in, "t.csv");
+  EXPECT_EQ(AllRows(csv), (Rows{{"1", "2"}, {longest, longest}, {"3", "4"}}));
+}
+
+TEST(CsvReader, ReadsCommentsThatAreLongerThanABlock) {
+  std::string text;
+  for (int i = 0; i < kManyRows; ++i) text += "# a comment\n\n";
+  std::istringstream in(text + "a,b\n1,2\n");
+  CsvReader csv(in, "t.csv");
+  EXPECT_EQ(csv.line_number(), 2U * kManyRows + 1);
+  EXPECT_EQ(AllRows(csv), (Rows{{"1", "2"}}));
+  EXPECT_EQ(csv.line_number(), 2U * kManyRows + 2);
+}
+
+// Empty lines that fill blocks of their own.
+const std::string kManyEmptyLines(50'000, '\n');
+
+TEST(CsvReader, PassesOverManyEmptyLinesAtTheEnd) {
+  std::istringstream in("a,b\n1,2\n\r\n" + kManyEmptyLines + "\r");
+  CsvReader csv(in, "t.csv");
+  EXPECT_EQ(AllRows(csv), (Rows{{"1", "2"}}));
+}
+
+TEST(CsvReader, PointsAtTheFirstOfManyEmptyLinesAmongTheRows) {
+  std::istringstream in("a,b\n1,2\n" + kManyEmptyLines + "3,4\n");
+  CsvReader csv(in, "t.csv");
+  ASSERT_TRUE(csv.Next());
+  EXPECT_EQ(MessageOf<InputError>([&] { static_cast<void>(csv.Next()); }),
+            "t.csv:3: empty line between rows. Remove it");
+}
+
+TEST(CsvReader, PointsAtAnEmptyLineThatCameByItself) {
+  SlowBuffer buffer("a,b\n1,2\n\n\n3,4\n", 1);
+  std::istream in(&buffer);
+  EXPECT_EQ(MessageOf<InputError>([&in] {
+              CsvReader csv(in, "t.csv");
+              AllRows(csv);
+            }),
+            "t.csv:3: empty line between rows. Remove it");
+}
+
+TEST(CsvReader, GivesTheRowsThatCameWithoutWaitingForMore) {
+  SlowBuffer buffer("a,b\n1,2\n3,4\n", 4);
+  std::istream in(&buffer);
+  CsvReader csv(in, "t.csv");
+  EXPECT_EQ(buffer.given(), 4U);
+  EXPECT_FALSE(csv.HasLinesAtHand());
+  ASSERT_TRUE(csv.Next());
+  EXPECT_EQ(csv.line(), "1,2");
+  EXPECT_EQ(buffer.given(), 8U);
+}
+
+TEST(CsvReader, SaysThatAStreamFailedAfterTheRowsBeforeIt) {
+  BrokenBuffer buffer("a,b\n1,2\n3");
+  std::istream in(&buffer);
+  CsvReader csv(in, "t.csv");
+  EXPECT_TRUE(csv.HasLinesAtHand());
+  ASSERT_TRUE(csv.Next());
+  for (int again = 0; again < 2; ++again) {
+    EXPECT_EQ(MessageOf<InputError>([&] { static_cast<void>(csv.Next()); }),
+              "t.csv:3: cannot be read");
+  }
 }
 
 }  // namespace

@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <array>
 #include <bit>
+#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -14,6 +16,7 @@
 #include <locale>
 #include <optional>
 #include <ostream>
+#include <random>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -158,6 +161,86 @@ TEST(RoundedText, OfTheLargestNumberIsWhole) {
             -std::numeric_limits<double>::max());
 }
 
+// What std::to_chars makes of it, without the zeros at the end and without a sign before zero.
+std::string ToCharsRounded(double number) {
+  std::array<char, 400> buffer{};
+  const auto written = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number,
+                                     std::chars_format::fixed, 12);
+  std::string text(buffer.data(), written.ptr);
+  if (text.find('.') != std::string::npos) {
+    while (text.back() == '0') text.pop_back();
+    if (text.back() == '.') text.pop_back();
+  }
+  return text == "-0" ? "0" : text;
+}
+
+std::string AppendedRounded(double number) {
+  std::string text = "1 ";
+  AppendRounded(text, number);
+  EXPECT_EQ(text.substr(0, 2), "1 ");
+  return text.substr(2);
+}
+
+RC_GTEST_PROP(AppendRounded, WritesWhatToCharsWrites, ()) {
+  // Of all sizes: the exponent is drawn, not the number.
+  const double number = *NumberWithin(-1, 1) * std::ldexp(1.0, *rc::gen::inRange(-50, 60));
+  RC_ASSERT(AppendedRounded(number) == ToCharsRounded(number));
+}
+
+TEST(AppendRounded, WritesWhatToCharsWritesForManyAngles) {
+  std::mt19937_64 random(20090815);
+  std::uniform_real_distribution<double> angle_deg(-1000, 1000);
+  for (int i = 0; i < 200'000; ++i) {
+    const double number = angle_deg(random);
+    ASSERT_EQ(AppendedRounded(number), ToCharsRounded(number));
+  }
+}
+
+TEST(AppendRounded, RoundsHalvesToTheEvenDigit) {
+  // k / 2^13 has 13 decimals, the last of them a 5: an exact half of the last place.
+  for (int k = 1; k < 1 << 13; k += 2) {
+    const double number = k / 8192.0;
+    for (const double half : {number, -number, 999 + number}) {
+      for (const double near : {half, std::nextafter(half, -1e3), std::nextafter(half, 1e3)}) {
+        ASSERT_EQ(AppendedRounded(near), ToCharsRounded(near)) << k;
+      }
+    }
+  }
+  EXPECT_EQ(AppendedRounded(1 / 8192.0), "0.000122070312");
+  EXPECT_EQ(AppendedRounded(3 / 8192.0), "0.000366210938");
+}
+
+struct WrittenCase {
+  double number;
+  const char* text;
+};
+
+void PrintTo(const WrittenCase& written, std::ostream* out) { *out << written.text; }
+
+class RoundedToTwelve : public testing::TestWithParam<WrittenCase> {};
+
+TEST_P(RoundedToTwelve, IsWrittenInFixedNotation) {
+  EXPECT_EQ(AppendedRounded(GetParam().number), GetParam().text);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Numbers, RoundedToTwelve,
+    testing::Values(WrittenCase{0, "0"}, WrittenCase{-0.0, "0"}, WrittenCase{1e-13, "0"},
+                    WrittenCase{-1e-13, "0"}, WrittenCase{4.9999e-13, "0"},
+                    WrittenCase{5.0001e-13, "0.000000000001"},
+                    WrittenCase{-6e-13, "-0.000000000001"}, WrittenCase{1e-12, "0.000000000001"},
+                    WrittenCase{5e-324, "0"}, WrittenCase{0.1, "0.1"}, WrittenCase{-22.5, "-22.5"},
+                    WrittenCase{9.9999999999996, "10"}, WrittenCase{99.99999999999996, "100"},
+                    WrittenCase{10, "10"}, WrittenCase{305, "305"},
+                    WrittenCase{100.000000000001, "100.000000000001"},
+                    WrittenCase{999.999999999999, "999.999999999999"},
+                    WrittenCase{999.9999999999999, "1000"},
+                    WrittenCase{-999.9999999999999, "-1000"}, WrittenCase{1000, "1000"},
+                    WrittenCase{-1234.5, "-1234.5"}, WrittenCase{1e22, "10000000000000000000000"},
+                    WrittenCase{std::numeric_limits<double>::infinity(), "inf"},
+                    WrittenCase{-std::numeric_limits<double>::infinity(), "-inf"},
+                    WrittenCase{std::numeric_limits<double>::quiet_NaN(), "nan"}));
+
 TEST(SignificantText, HasSoManyDigitsAtMost) {
   EXPECT_EQ(SignificantText(123.456, 3), "123");
   EXPECT_EQ(SignificantText(0.0123456, 3), "0.0123");
@@ -209,6 +292,8 @@ TEST_F(NumbersInAnotherLocale, AreReadAsEver) { EXPECT_EQ(FiniteNumber("1234.5")
 TEST_F(NumbersInAnotherLocale, AreWrittenAsEver) {
   EXPECT_EQ(NumberText(1234.5), "1234.5");
   EXPECT_EQ(RoundedText(1234.56, 1), "1234.6");
+  EXPECT_EQ(AppendedRounded(234.5), "234.5");
+  EXPECT_EQ(AppendedRounded(1234.5), "1234.5");
 }
 
 }  // namespace

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+/// Solving a CSV of poses, row by row.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <istream>
+#include <optional>
+#include <string>
+
+#include "kinematics/shoulder_rhythm.h"
+
+namespace girdle {
+
+/// Columns of the input, and of one pose as JSON the keys.
+inline constexpr const char* kElevationColumn = "elevation_deg";
+inline constexpr const char* kPlaneColumn = "plane_deg";
+inline constexpr const char* kAxialColumn = "axial_deg";
+inline constexpr const char* kShrugColumn = "shrug_deg";
+inline constexpr const char* kProtractionColumn = "protraction_deg";
+/// Of the output.
+inline constexpr const char* kClampedColumn = "clamped";
+inline constexpr const char* kDistanceColumn = "distance_deg";
+inline constexpr const char* kOriginColumn = "origin";
+
+/// Where rows come from.
+struct RowSource {
+  std::istream& in;
+  std::string name;      ///< for messages
+  std::uintmax_t bytes;  ///< to come; 0 if that is not known
+};
+
+/// What all rows have in common.
+struct RowOptions {
+  /// In place of their columns, which must not be there then.
+  std::optional<double> axial_deg;
+  std::optional<double> shrug_deg;
+  std::optional<double> protraction_deg;
+  bool has_rates = false;   ///< with the derivatives of the joints' rotations
+  std::size_t threads = 1;  ///< at least 1
+};
+
+/// Writes every row of `source` with its angles behind it to `out` (`-` is standard output), in
+/// their order and with the same bytes whatever the number of threads. Memory does not grow with
+/// the number of rows. Whenever it has to wait for its input, all rows that came are answered, on
+/// standard output too.
+///
+/// With rates three columns a joint for each of elevation and plane, `sc_w_elevation_x` and so on:
+/// the angular velocity of the child in the parent, in the parent's axes [deg per deg]. The
+/// interpolation has to be smooth.
+///
+/// Throws InputError, with file and line, at the first row that cannot be solved. A file that was
+/// to be written is then as it was before; standard output has whole rows from before that row.
+void SolveRows(const RowSource& source, const std::string& out, const ShoulderRhythm& rhythm,
+               const RowOptions& options);
+
+}  // namespace girdle
