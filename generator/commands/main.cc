@@ -11,6 +11,7 @@
 #include <string>
 
 #include "commands/compare_command.h"
+#include "commands/continuity_command.h"
 #include "commands/destep_command.h"
 #include "commands/generate_command.h"
 #include "commands/output_file.h"
@@ -68,6 +69,7 @@ int Run(int argc, char** argv) {
   AddSimulateCommand(program);
   AddVerifyCommand(program, residual_status);
   AddCompareCommand(program);
+  AddContinuityCommand(program, residual_status);
   AddDestepCommand(program);
   program.footer("girdle VERB --help tells more, with examples.");
   RefuseEmptyWords(argc, argv);

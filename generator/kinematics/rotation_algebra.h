@@ -65,7 +65,8 @@ template <typename P>
 
 namespace rotation_algebra_detail {
 
-// sum (-x)^n / (2n + shift)!, which is cos(sqrt x) for shift 0 and sin(sqrt x)/sqrt x for shift 1.
+// shift! sum (-x)^n / (2n + shift)!, which is cos(sqrt x) for shift 0 and sin(sqrt x)/sqrt x for
+// shift 1.
 template <std::size_t N>
 constexpr std::array<double, N> AlternatingSeries(int shift) {
   std::array<double, N> coefficients{};
@@ -103,6 +104,10 @@ inline constexpr double kShorterSeriesLimit = 0.05;
 inline constexpr std::size_t kShorterExpTerms = 6;
 inline constexpr auto kShorterCosine = AlternatingSeries<kShorterExpTerms>(0);
 inline constexpr auto kShorterSine = AlternatingSeries<kShorterExpTerms>(1);
+
+// 6 (W - sin W)/W^3 in powers of W^2, for the same angles.
+inline constexpr auto kThird = AlternatingSeries<kExpTerms>(3);
+inline constexpr auto kShortThird = AlternatingSeries<kShortExpTerms + 1>(3);
 
 // For angles up to 90 deg (y <= 0.293) the first term left out is below 1e-17; at 120 deg 1e-10.
 inline constexpr std::size_t kLogTerms = 24;
@@ -163,6 +168,47 @@ template <typename T>
       CosineAndSineOfRoot(0.25 * (u[0] * u[0] + u[1] * u[1] + u[2] * u[2]));
   const T scale = 0.5 * half.sine_over_root;
   return {half.cosine, scale * u[0], scale * u[1], scale * u[2]};
+}
+
+/// A rotation of the form exp(u) m, m constant, with its angular velocity in the parent's axes
+/// along two directions of change u_1 and u_2. L is a leaf.
+template <typename L>
+struct MovingRotation {
+  QuaternionOf<L> q;
+  VectorOf<L> w_1;
+  VectorOf<L> w_2;
+};
+
+template <typename L>
+[[nodiscard]] GIRDLE_INLINE VectorOf<L> Cross(const VectorOf<L>& a, const VectorOf<L>& b) noexcept {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// With W = |u|:
+///
+///     w_i = u_i + (1 - cos W)/W^2 u x u_i + (W - sin W)/W^3 u x (u x u_i)
+///
+/// (the left Jacobian of the rotation group), where (1 - cos W)/W^2 = (sin(W/2)/(W/2))^2 / 2.
+template <typename L>
+[[nodiscard]] GIRDLE_INLINE MovingRotation<L> MovingExp(const VectorOf<L>& u,
+                                                        const VectorOf<L>& u_1,
+                                                        const VectorOf<L>& u_2,
+                                                        const QuaternionOf<L>& m) noexcept {
+  using namespace rotation_algebra_detail;  // NOLINT(google-build-using-namespace): its constants
+  const L square = u[0] * u[0] + u[1] * u[1] + u[2] * u[2];
+  const L x = 0.25 * square;
+  const CosineAndSine<L> half = CosineAndSineOfRoot(x);
+  const L scale = 0.5 * half.sine_over_root;
+  const L second = scale * half.sine_over_root;
+  const L third =
+      (1.0 / 6) * (LargestLeaf(x) < kShortSeriesLimit ? PolynomialValue(kShortThird, square)
+                                                      : PolynomialValue(kThird, square));
+  const auto velocity = [&](const VectorOf<L>& rate) {
+    const VectorOf<L> once = Cross(u, rate);
+    return rate + Scaled(second, once) + Scaled(third, Cross(u, once));
+  };
+  const QuaternionOf<L> exp{half.cosine, scale * u[0], scale * u[1], scale * u[2]};
+  return {exp * m, velocity(u_1), velocity(u_2)};
 }
 
 /// Returns the rotation vector of a unit quaternion whose w is positive, by a series that is exact

@@ -387,9 +387,53 @@ ShoulderRhythm::Jets<Order> ShoulderRhythm::JetsFor(const ArmCommand& command) c
   return jets;
 }
 
+// With closure exact, d the direction of the arm and n = (-cos psi, 0, sin psi) the axis that it is
+// raised about, q_TH = S Ry(tau) of arm_directions.h turns by
+//   w_TH = n + dtau/dtheta (-d) with theta,   w_TH = y + (dtau/dpsi - 1) (-d) with psi,
+// and w_SH = q_TS^-1 (w_TH - w_TS), w_TS = w_TC + q_TC w_CS.
+ShoulderRates ShoulderRhythm::PlainRates(double elevation_rad, double plane_rad) const noexcept {
+  ShoulderRates rates;  // NOLINT(*-member-init): every member is set below
+  const auto set_girdle = [&rates](const MovingRotation<Pair>& girdle) {
+    rates.pose.q_TC = Plain(Element(girdle.q, 0));
+    rates.pose.q_CS = Plain(Element(girdle.q, 1));
+    rates.joints[0] = {Plain(girdle.w_1, 0), Plain(girdle.w_2, 0)};
+    rates.joints[1] = {Plain(girdle.w_1, 1), Plain(girdle.w_2, 1)};
+  };
+  if (options_.closure == Closure::kTable) {
+    const JointRates joints = smooth_->RatesOfJoints(elevation_rad, plane_rad);
+    set_girdle(joints.q_TC_CS);
+    rates.pose.q_SH = Plain(joints.q_SH.q);
+    rates.joints[2] = {Plain(joints.q_SH.w_1), Plain(joints.q_SH.w_2)};
+    return rates;
+  }
+  const GirdleRates girdle = smooth_->RatesOfGirdle(elevation_rad, plane_rad);
+  set_girdle(girdle.q_TC_CS);
+  const Quaternion q_TS = rates.pose.q_TS();
+  const Quaternion q_ST = glm::conjugate(q_TS);
+  const double sine = std::sin(elevation_rad);
+  const double plane_sine = std::sin(plane_rad);
+  const double plane_cosine = std::cos(plane_rad);
+  const Vector3 up_the_arm{-sine * plane_sine, std::cos(elevation_rad), -sine * plane_cosine};
+  const Vector3 w_TH_elevation =
+      Vector3(-plane_cosine, 0, plane_sine) + girdle.turn_by_elevation * up_the_arm;
+  const Vector3 w_TH_plane = Vector3(0, 1, 0) + (girdle.turn_by_plane - 1) * up_the_arm;
+  const auto w_SH = [&](const Vector3& w_TH, const Vector3& w_TC, const Vector3& w_CS) {
+    return q_ST * (w_TH - w_TC - rates.pose.q_TC * w_CS);
+  };
+  rates.pose.q_SH = q_ST * Plain(HumerusRotation(elevation_rad, plane_rad, girdle.turn_rad));
+  rates.joints[2] = {
+      w_SH(w_TH_elevation, rates.joints[0].by_elevation, rates.joints[1].by_elevation),
+      w_SH(w_TH_plane, rates.joints[0].by_plane, rates.joints[1].by_plane)};
+  return rates;
+}
+
 std::optional<ShoulderRates> ShoulderRhythm::SolveRates(const ArmCommand& command) const noexcept {
   if (!smooth_) {
     return std::nullopt;
+  }
+  if (measured_.Holds(command.elevation_rad, command.plane_rad) && command.axial_rad == 0 &&
+      command.shrug_rad == 0 && command.protraction_rad == 0) {
+    return PlainRates(command.elevation_rad, command.plane_rad);
   }
   const Jets<1> jets = JetsFor<1>(command);
   const QuaternionOf<Pair> q_TC_CS = Part(jets.q_TC_CS, kValue);

@@ -200,6 +200,8 @@ class ShoulderRhythm {
   };
 
   [[nodiscard]] Used UsedFor(double elevation_rad, double plane_rad) const noexcept;
+  /// The rates within the table, without offsets or axial turn.
+  [[nodiscard]] ShoulderRates PlainRates(double elevation_rad, double plane_rad) const noexcept;
   /// The pose for a command within the range; bounds its axial turn and offsets.
   [[nodiscard]] ShoulderPose PoseFor(ArmCommand& used) const noexcept;
   [[nodiscard]] ArmCommand WithinRange(const ArmCommand& command) const noexcept;

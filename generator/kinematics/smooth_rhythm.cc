@@ -351,6 +351,30 @@ JointsOf<T> SmoothRhythm::Joints(double elevation_rad, double plane_rad) const n
           ExpOf(u_SH) * mean_.q_SH};
 }
 
+MovingRotation<Pair> SmoothRhythm::MovingGirdle(const SurfaceGrid::Place& place) const noexcept {
+  const auto u = girdle_.JetsAt<1>(place);
+  const auto part = [&u](JetPart i) {
+    return VectorOf<Pair>{u[0].part[i], u[1].part[i], u[2].part[i]};
+  };
+  return MovingExp(part(kValue), part(kByElevation), part(kByPlane), mean_.q_TC_CS);
+}
+
+GirdleRates SmoothRhythm::RatesOfGirdle(double elevation_rad, double plane_rad) const noexcept {
+  const SurfaceGrid::Place place = grid_.PlaceOf(elevation_rad, plane_rad);
+  const Jet<double, 1> turn = turn_.JetsAt<1>(place)[0];
+  return {MovingGirdle(place), turn.part[kValue], turn.part[kByElevation], turn.part[kByPlane]};
+}
+
+JointRates SmoothRhythm::RatesOfJoints(double elevation_rad, double plane_rad) const noexcept {
+  const SurfaceGrid::Place place = grid_.PlaceOf(elevation_rad, plane_rad);
+  const auto gh = glenohumeral_.JetsAt<1>(place);
+  const auto part = [&gh](JetPart i) {
+    return VectorOf<double>{gh[0].part[i][0], gh[0].part[i][1], gh[1].part[i][0]};
+  };
+  return {MovingGirdle(place),
+          MovingExp(part(kValue), part(kByElevation), part(kByPlane), mean_.q_SH)};
+}
+
 template GirdleOf<double> SmoothRhythm::Girdle(double, double) const noexcept;
 template GirdleOf<Jet<double, 1>> SmoothRhythm::Girdle(double, double) const noexcept;
 template GirdleOf<Jet<double, 2>> SmoothRhythm::Girdle(double, double) const noexcept;

@@ -46,6 +46,21 @@ struct JointsOf {
   QuaternionOf<T> q_SH;
 };
 
+/// SC and AC, tau, and how they change with elevation and plane: angular velocities of the child in
+/// the parent, parent's axes.
+struct GirdleRates {
+  MovingRotation<Pair> q_TC_CS;
+  double turn_rad;
+  double turn_by_elevation;
+  double turn_by_plane;
+};
+
+/// SC and AC, and GH, likewise.
+struct JointRates {
+  MovingRotation<Pair> q_TC_CS;
+  MovingRotation<double> q_SH;
+};
+
 class SmoothRhythm {
  public:
   static constexpr std::size_t kFewestElevations = 4;
@@ -69,6 +84,10 @@ class SmoothRhythm {
   template <typename T>
   [[nodiscard]] JointsOf<T> Joints(double elevation_rad, double plane_rad) const noexcept;
 
+  /// The same with first derivatives, within the table, in less time than with jets.
+  [[nodiscard]] GirdleRates RatesOfGirdle(double elevation_rad, double plane_rad) const noexcept;
+  [[nodiscard]] JointRates RatesOfJoints(double elevation_rad, double plane_rad) const noexcept;
+
  private:
   struct Edges {
     double lowest_rad;
@@ -83,6 +102,7 @@ class SmoothRhythm {
 
   [[nodiscard]] static Mean MeanOf(const RhythmTable& table);
 
+  [[nodiscard]] MovingRotation<Pair> MovingGirdle(const SurfaceGrid::Place& place) const noexcept;
   template <typename T>
   [[nodiscard]] GirdleOf<T> InTable(const T& elevation_rad, const T& plane_rad) const noexcept;
   template <typename T>

@@ -1,0 +1,352 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "rhythms/continuity.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <limits>
+
+#include "tables/number_text.h"
+
+namespace girdle {
+namespace {
+
+using BoneRotations = std::array<Quaternion, kJointCount>;
+
+constexpr double kGrid_rad = kRadiansPerDegree;
+// Between the points of a one-sided difference: small enough for its formula's error, large enough
+// for rounding.
+constexpr double kDifference_rad = 0.02 * kRadiansPerDegree;
+
+BoneRotations JointsOf(const ShoulderPose& pose) { return {pose.q_TC, pose.q_CS, pose.q_SH}; }
+
+// Clavicle, scapula, humerus in the thorax.
+BoneRotations BonesOf(const ShoulderPose& pose) { return {pose.q_TC, pose.q_TS(), pose.q_TH()}; }
+
+// First and second derivative of the rotation vector log(q(x) q(0)^-1) at 0, which are the angular
+// velocity and what it changes by.
+struct Motion {
+  Vector3 first;
+  Vector3 second;
+};
+
+// From the points 0, h .. 4h on one side (h may be negative), by the differences of fourth and
+// third order:
+//   f' h = -25/12 f0 + 4 f1 - 3 f2 + 4/3 f3 - 1/4 f4,
+//   f'' h^2 = 35/12 f0 - 26/3 f1 + 19/2 f2 - 14/3 f3 + 11/12 f4,  f0 = 0
+std::array<Motion, kJointCount> OneSided(const std::function<BoneRotations(double)>& at, double h) {
+  const BoneRotations origin = at(0);
+  std::array<Motion, kJointCount> motions;
+  motions.fill({{0, 0, 0}, {0, 0, 0}});
+  constexpr std::array<double, 4> kFirst = {4, -3, 4.0 / 3, -1.0 / 4};
+  constexpr std::array<double, 4> kSecond = {-26.0 / 3, 19.0 / 2, -14.0 / 3, 11.0 / 12};
+  for (std::size_t i = 0; i < kFirst.size(); ++i) {
+    const BoneRotations there = at(static_cast<double>(i + 1) * h);
+    for (std::size_t joint = 0; joint < kJointCount; ++joint) {
+      const Vector3 turn = Log(there[joint] * glm::conjugate(origin[joint]));
+      motions[joint].first += kFirst[i] / h * turn;
+      motions[joint].second += kSecond[i] / (h * h) * turn;
+    }
+  }
+  return motions;
+}
+
+// The jump of each joint at a place, crossing it along a direction.
+std::array<JumpSummary, kJointCount> JumpsAt(const ShoulderRhythm& rhythm, Direction direction,
+                                             double elevation_rad, double plane_rad) {
+  const auto at = [&](double step_rad) {
+    const bool is_elevation = direction == Direction::kElevation;
+    return JointsOf(rhythm.SolvePose({elevation_rad + (is_elevation ? step_rad : 0),
+                                      plane_rad + (is_elevation ? 0 : step_rad)}));
+  };
+  const auto before = OneSided(at, -kDifference_rad);
+  const auto after = OneSided(at, kDifference_rad);
+  std::array<JumpSummary, kJointCount> jumps;
+  for (std::size_t joint = 0; joint < kJointCount; ++joint) {
+    jumps[joint] = {glm::distance(before[joint].first, after[joint].first),
+                    glm::distance(before[joint].second, after[joint].second) * kRadiansPerDegree};
+  }
+  return jumps;
+}
+
+// From one end to the other in even steps of about a degree.
+std::vector<double> EvenSteps(double from, double to) {
+  const int count = std::max(1, static_cast<int>(std::lround((to - from) / kGrid_rad)));
+  std::vector<double> values;
+  for (int i = 0; i <= count; ++i) {
+    values.push_back(from + (to - from) * i / count);
+  }
+  return values;
+}
+
+std::vector<double> InnerOf(const std::vector<double>& knots) {
+  return {knots.begin() + 1, knots.end() - 1};
+}
+
+std::string PlaceText(double elevation_rad, double plane_rad) {
+  constexpr int kDecimals = 1;
+  return "elevation " + RoundedText(DegreesFromRadians(elevation_rad), kDecimals) + ", plane " +
+         RoundedText(DegreesFromRadians(plane_rad), kDecimals);
+}
+
+// The largest of some values and where it is. A NaN becomes the largest and stays it.
+class Largest {
+ public:
+  void Add(double value, double elevation_rad, double plane_rad) {
+    if (!(value <= value_) && !std::isnan(value_)) {
+      value_ = value;
+      elevation_rad_ = elevation_rad;
+      plane_rad_ = plane_rad;
+    }
+  }
+  [[nodiscard]] RhythmCheck Check(std::string name, double limit, std::string unit) const {
+    return {std::move(name), value_, limit, std::move(unit),
+            value_ >= 0 ? PlaceText(elevation_rad_, plane_rad_) : "nowhere"};
+  }
+
+ private:
+  double value_ = -std::numeric_limits<double>::infinity();
+  double elevation_rad_ = 0;
+  double plane_rad_ = 0;
+};
+
+// Adds the jumps over lines of constant elevation or plane, along the whole of each.
+class JumpMeter {
+ public:
+  explicit JumpMeter(const ShoulderRhythm& rhythm) : rhythm_(rhythm) {}
+
+  void Cross(Direction direction, const std::vector<double>& lines,
+             const std::vector<double>& along) {
+    for (const double line : lines) {
+      for (const double place : along) {
+        const double elevation_rad = direction == Direction::kElevation ? line : place;
+        const double plane_rad = direction == Direction::kElevation ? place : line;
+        const auto jumps = JumpsAt(rhythm_, direction, elevation_rad, plane_rad);
+        for (std::size_t joint = 0; joint < kJointCount; ++joint) {
+          joints_[joint].first = std::max(joints_[joint].first, jumps[joint].first);
+          joints_[joint].second = std::max(joints_[joint].second, jumps[joint].second);
+          first_.Add(jumps[joint].first, elevation_rad, plane_rad);
+          second_.Add(jumps[joint].second, elevation_rad, plane_rad);
+        }
+      }
+    }
+  }
+
+  [[nodiscard]] const std::array<JumpSummary, kJointCount>& joints() const { return joints_; }
+  [[nodiscard]] const Largest& first() const { return first_; }
+  [[nodiscard]] const Largest& second() const { return second_; }
+
+ private:
+  const ShoulderRhythm& rhythm_;
+  std::array<JumpSummary, kJointCount> joints_{};
+  Largest first_;
+  Largest second_;
+};
+
+// Within the table, half a degree from its borders: differences need room.
+JumpMeter InsideJumps(const ShoulderRhythm& rhythm, Direction direction) {
+  constexpr double kRoom_rad = 0.5 * kRadiansPerDegree;
+  const RhythmTable& table = rhythm.table();
+  const auto& lines =
+      direction == Direction::kElevation ? table.elevations_rad() : table.planes_rad();
+  const auto& along =
+      direction == Direction::kElevation ? table.planes_rad() : table.elevations_rad();
+  JumpMeter meter(rhythm);
+  meter.Cross(direction, InnerOf(lines),
+              EvenSteps(along.front() + kRoom_rad, along.back() - kRoom_rad));
+  return meter;
+}
+
+class Checker {
+ public:
+  Checker(const ShoulderRhythm& rhythm, const JointRanges& ranges)
+      : rhythm_(rhythm),
+        ranges_(ranges),
+        is_whole_(rhythm.options().range == Range::kWhole),
+        elevations_(
+            EvenSteps(rhythm.domain().lowest_elevation_rad, rhythm.domain().highest_elevation_rad)),
+        planes_(EvenSteps(rhythm.domain().first_plane_rad, rhythm.domain().last_plane_rad)) {}
+
+  std::vector<RhythmCheck> Run() {
+    if (rhythm_.options().interpolation == Interpolation::kSmooth) {
+      AddInsideJumps();
+    }
+    if (is_whole_) {
+      AddBorderJumps();
+      AddSingleValues();
+    }
+    AddGrid();
+    return std::move(checks_);
+  }
+
+ private:
+  void AddInsideJumps() {
+    constexpr double kFirst = 1e-9;
+    constexpr double kSecond = 1e-7;
+    for (const Direction direction : {Direction::kElevation, Direction::kPlane}) {
+      const JumpMeter meter = InsideJumps(rhythm_, direction);
+      const std::string lines =
+          "over " + std::string(kDirectionNames[static_cast<std::size_t>(direction)]) + " knots";
+      checks_.push_back(meter.first().Check("jump of velocity " + lines, kFirst, "deg/deg"));
+      checks_.push_back(
+          meter.second().Check("jump of acceleration " + lines, kSecond, "deg/deg^2"));
+    }
+  }
+
+  // Where the rule begins, and where it changes its form: half way to 180, and half way to there.
+  void AddBorderJumps() {
+    constexpr double kFirst = 1e-6;
+    // Differences need room before the ends and the reach's limit.
+    constexpr double kRoom_rad = 1 * kRadiansPerDegree;
+    const RhythmTable& table = rhythm_.table();
+    const double top_rad = table.elevations_rad().back();
+    const double half_rad = (kPi - top_rad) / 2;
+    JumpMeter over_elevations(rhythm_);
+    over_elevations.Cross(
+        Direction::kElevation,
+        {table.elevations_rad().front(), top_rad, top_rad + half_rad / 2, top_rad + half_rad},
+        EvenSteps(LowestPlaneAt(top_rad).plane_rad + kRoom_rad,
+                  rhythm_.domain().last_plane_rad - kRoom_rad));
+    checks_.push_back(over_elevations.first().Check(
+        "jump of velocity where the table ends, over elevations", kFirst, "deg/deg"));
+    JumpMeter over_planes(rhythm_);
+    over_planes.Cross(Direction::kPlane, {table.planes_rad().front(), table.planes_rad().back()},
+                      EvenSteps(kRoom_rad, kPi - kRoom_rad));
+    checks_.push_back(over_planes.first().Check(
+        "jump of velocity where the table ends, over planes", kFirst, "deg/deg"));
+  }
+
+  // Hanging and straight up the plane has no meaning: bones are where they are for plane 0.
+  void AddSingleValues() {
+    constexpr double kSame_deg = 1e-9;
+    Largest hanging;
+    Largest upright;
+    const BoneRotations hanging_bones = BonesOf(rhythm_.SolvePose({0, 0}));
+    const BoneRotations upright_bones = BonesOf(rhythm_.SolvePose({kPi, 0}));
+    for (const double plane_rad : planes_) {
+      const BoneRotations low = BonesOf(rhythm_.SolvePose({0, plane_rad}));
+      const BoneRotations high = BonesOf(rhythm_.SolvePose({kPi, plane_rad}));
+      for (std::size_t bone = 0; bone < kJointCount; ++bone) {
+        hanging.Add(DegreesFromRadians(AngleBetween(low[bone], hanging_bones[bone])), 0, plane_rad);
+      }
+      for (std::size_t bone = 0; bone + 1 < kJointCount; ++bone) {
+        upright.Add(DegreesFromRadians(AngleBetween(high[bone], upright_bones[bone])), kPi,
+                    plane_rad);
+      }
+    }
+    checks_.push_back(hanging.Check("all bones at elevation 0, plane to plane", kSame_deg, "deg"));
+    checks_.push_back(
+        upright.Check("clavicle and scapula at 180, plane to plane", kSame_deg, "deg"));
+  }
+
+  void AddGrid() {
+    for (const double elevation_rad : elevations_) {
+      for (const double plane_rad : planes_) {
+        const ShoulderSolution solution = rhythm_.Solve({elevation_rad, plane_rad});
+        if (!solution.clamped) {
+          AddPose(solution);
+        }
+      }
+    }
+    if (rhythm_.options().closure == Closure::kExact) {
+      constexpr double kExact_deg = 1e-9;
+      checks_.push_back(elevation_error_.Check("elevation reached - commanded", kExact_deg, "deg"));
+      checks_.push_back(plane_error_.Check("plane reached - commanded", kExact_deg, "deg"));
+    }
+    if (rhythm_.options().interpolation == Interpolation::kSmooth) {
+      constexpr double kFastest = 3;
+      constexpr double kFastestLow = 4.5;
+      checks_.push_back(
+          fastest_.Check("fastest bone per degree of elevation", kFastest, "deg/deg"));
+      if (is_whole_) {
+        checks_.push_back(
+            fastest_low_.Check("the same below elevation 15", kFastestLow, "deg/deg"));
+      }
+      checks_.push_back(
+          fastest_plane_.Check("fastest bone per degree of plane", kFastest, "deg/deg"));
+    }
+    constexpr double kOutside_deg = 1e-9;
+    checks_.push_back(outside_.Check("joint out of its range", kOutside_deg, "deg"));
+  }
+
+  void AddPose(const ShoulderSolution& solution) {
+    const double elevation_rad = solution.used.elevation_rad;
+    const double plane_rad = solution.used.plane_rad;
+    const ArmAngles reached = ArmAnglesFromRotation(solution.pose.q_TH());
+    elevation_error_.Add(DegreesFromRadians(std::abs(reached.elevation_rad - elevation_rad)),
+                         elevation_rad, plane_rad);
+    // Nearer to the ends than this the plane has no meaning.
+    if (elevation_rad > kGrid_rad / 2 && elevation_rad < kPi - kGrid_rad / 2) {
+      plane_error_.Add(
+          DegreesFromRadians(std::abs(std::remainder(reached.plane_rad - plane_rad, 2 * kPi))),
+          elevation_rad, plane_rad);
+    }
+    const JointAngles angles_rad = AnglesFromPose(solution.pose);
+    for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+      outside_.Add(DegreesFromRadians(std::max({ranges_[k].lower_rad - angles_rad[k],
+                                                angles_rad[k] - ranges_[k].upper_rad, 0.0})),
+                   elevation_rad, plane_rad);
+    }
+    if (rhythm_.options().interpolation == Interpolation::kSmooth) {
+      AddSpeeds(elevation_rad, plane_rad);
+    }
+  }
+
+  // By differences that stay on this side of the ends.
+  void AddSpeeds(double elevation_rad, double plane_rad) {
+    const ArmRectangle& domain = rhythm_.domain();
+    const double up = elevation_rad + kGrid_rad / 2 < domain.highest_elevation_rad ? 1 : -1;
+    const double across = plane_rad + kGrid_rad / 2 < domain.last_plane_rad ? 1 : -1;
+    const auto along_elevation = [&](double step_rad) {
+      return BonesOf(rhythm_.SolvePose({elevation_rad + step_rad, plane_rad}));
+    };
+    const auto along_plane = [&](double step_rad) {
+      return BonesOf(rhythm_.SolvePose({elevation_rad, plane_rad + step_rad}));
+    };
+    constexpr double kLow_rad = 15 * kRadiansPerDegree;
+    for (const Motion& bone : OneSided(along_elevation, up * kDifference_rad)) {
+      (is_whole_ && elevation_rad < kLow_rad ? fastest_low_ : fastest_)
+          .Add(glm::length(bone.first), elevation_rad, plane_rad);
+    }
+    for (const Motion& bone : OneSided(along_plane, across * kDifference_rad)) {
+      fastest_plane_.Add(glm::length(bone.first), elevation_rad, plane_rad);
+    }
+  }
+
+  const ShoulderRhythm& rhythm_;
+  const JointRanges& ranges_;
+  bool is_whole_;
+  std::vector<double> elevations_;
+  std::vector<double> planes_;
+  Largest elevation_error_;
+  Largest plane_error_;
+  Largest fastest_;
+  Largest fastest_low_;
+  Largest fastest_plane_;
+  Largest outside_;
+  std::vector<RhythmCheck> checks_;
+};
+
+}  // namespace
+
+std::vector<InterpolationJumps> MeasureJumps(const RhythmTable& table) {
+  std::vector<InterpolationJumps> all;
+  for (const Interpolation interpolation :
+       {Interpolation::kSlerp, Interpolation::kSquad, Interpolation::kSmooth}) {
+    const ShoulderRhythm rhythm(table, {interpolation, Closure::kTable, {}});
+    for (const Direction direction : {Direction::kElevation, Direction::kPlane}) {
+      all.push_back({interpolation, direction, InsideJumps(rhythm, direction).joints()});
+    }
+  }
+  return all;
+}
+
+std::vector<RhythmCheck> MeasureChecks(const ShoulderRhythm& rhythm, const JointRanges& ranges) {
+  return Checker(rhythm, ranges).Run();
+}
+
+}  // namespace girdle

@@ -1,0 +1,331 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+/// How long things take, as ratios of figures taken in turn in the same run:
+///   speed [GIRDLE] [PLUGIN]
+/// with the paths of the program and of the plugin, by default those of this build. Options of
+/// Google Benchmark (--benchmark_filter=REGEX and so on) go before them.
+#include <benchmark/benchmark.h>
+#include <mujoco/mujoco.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <glm/gtc/quaternion.hpp>
+#include <map>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "mjcf/shoulder_model.h"
+#include "simulation/engine.h"
+#include "tables/built_in.h"
+#include "tables/number_text.h"
+
+namespace girdle {
+namespace {
+
+constexpr std::size_t kPoses = 4096;  // a power of two: the next one is a bit mask away
+constexpr unsigned kSeed = 20090201;
+
+constexpr const char* kFloor = "three glm::slerp";
+constexpr const char* kStepWithout = "mj_step, nine position servos, no plugin";
+
+// Positions of the arm all over the table.
+const std::vector<ArmCommand>& RandomCommands() {
+  static const std::vector<ArmCommand> kCommands = [] {
+    std::mt19937_64 random(kSeed);
+    std::uniform_real_distribution<double> elevation_deg(15, 120);
+    std::uniform_real_distribution<double> plane_deg(0, 90);
+    std::vector<ArmCommand> commands(kPoses);
+    for (ArmCommand& command : commands) {
+      command = {RadiansFromDegrees(elevation_deg(random)), RadiansFromDegrees(plane_deg(random))};
+    }
+    return commands;
+  }();
+  return kCommands;
+}
+
+// Runs `solve` on one command after the other.
+template <typename Solve>
+void ForEachCommand(benchmark::State& state, const Solve& solve) {
+  const std::vector<ArmCommand>& commands = RandomCommands();
+  std::size_t i = 0;
+  for ([[maybe_unused]] auto iteration : state) {
+    benchmark::DoNotOptimize(solve(commands[i]));
+    i = (i + 1) % kPoses;
+  }
+}
+
+void RegisterPoses() {
+  // What a user of GLM would do: each joint between two rows of the table.
+  benchmark::RegisterBenchmark(kFloor, [](benchmark::State& state) {
+    const RhythmTable table = BuiltInRhythmTable(BuiltInTable::kMeasured);
+    struct Segment {
+      std::array<glm::dquat, kJointCount> from;
+      std::array<glm::dquat, kJointCount> to;
+      double t;
+    };
+    std::mt19937_64 random(kSeed);
+    std::uniform_int_distribution<std::size_t> plane(0, table.planes_rad().size() - 1);
+    std::uniform_int_distribution<std::size_t> row(0, table.elevations_rad().size() - 2);
+    std::uniform_real_distribution<double> t(0, 1);
+    std::vector<Segment> segments(kPoses);
+    for (Segment& segment : segments) {
+      const std::size_t j = plane(random);
+      const std::size_t i = row(random);
+      const ShoulderPose a = PoseFromAngles(table.position(j, i).angles_rad);
+      const ShoulderPose b = PoseFromAngles(table.position(j, i + 1).angles_rad);
+      segment = {{a.q_TC, a.q_CS, a.q_SH}, {b.q_TC, b.q_CS, b.q_SH}, t(random)};
+    }
+    std::size_t i = 0;
+    for ([[maybe_unused]] auto iteration : state) {
+      const Segment& s = segments[i];
+      for (std::size_t joint = 0; joint < kJointCount; ++joint) {
+        benchmark::DoNotOptimize(glm::slerp(s.from[joint], s.to[joint], s.t));
+      }
+      i = (i + 1) % kPoses;
+    }
+  });
+  const auto quaternions = [](const char* name, const RhythmOptions& options) {
+    benchmark::RegisterBenchmark(name, [options](benchmark::State& state) {
+      const ShoulderRhythm rhythm = BuiltInRhythm(options);
+      ForEachCommand(state, [&](const ArmCommand& c) { return rhythm.SolvePose(c); });
+    });
+  };
+  const auto angles = [](const char* name, const RhythmOptions& options) {
+    benchmark::RegisterBenchmark(name, [options](benchmark::State& state) {
+      const ShoulderRhythm rhythm = BuiltInRhythm(options);
+      ForEachCommand(state,
+                     [&](const ArmCommand& c) { return AnglesFromPose(rhythm.SolvePose(c)); });
+    });
+  };
+  const auto rates = [](const char* name, const RhythmOptions& options) {
+    benchmark::RegisterBenchmark(name, [options](benchmark::State& state) {
+      const ShoulderRhythm rhythm = BuiltInRhythm(options);
+      ForEachCommand(state, [&](const ArmCommand& c) { return rhythm.SolveRates(c); });
+    });
+  };
+  const RhythmOptions slerp{Interpolation::kSlerp, Closure::kTable, {}};
+  const RhythmOptions squad{Interpolation::kSquad, Closure::kTable, {}};
+  const RhythmOptions smooth{Interpolation::kSmooth, Closure::kTable, {}};
+  quaternions("slerp", slerp);
+  quaternions("squad, as published", squad);
+  quaternions("smooth", smooth);
+  rates("smooth, with first derivatives", smooth);
+  quaternions("smooth and exact", {});
+  rates("smooth and exact, with first derivatives", {});
+  angles("slerp, Euler angles", slerp);
+  angles("squad, Euler angles", squad);
+  angles("smooth, Euler angles", smooth);
+  angles("smooth and exact, Euler angles", {});
+  benchmark::RegisterBenchmark(
+      "smooth and exact, all derivatives of the angles", [](benchmark::State& state) {
+        const ShoulderRhythm rhythm = BuiltInRhythm();
+        ForEachCommand(state, [&](const ArmCommand& c) { return rhythm.SolveDerivatives(c); });
+      });
+}
+
+enum class Commanding { kHeld, kMoving };
+
+// Steps a model from its third keyframe, anew after so many steps.
+void Step(benchmark::State& state, const mjModel& model, Commanding commanding) {
+  constexpr int kStepsPerRun = 2000;
+  const DataPointer data = MakeData(model);
+  int step = kStepsPerRun;
+  for ([[maybe_unused]] auto iteration : state) {
+    if (step == kStepsPerRun) {
+      state.PauseTiming();
+      mj_resetDataKeyframe(&model, data.get(), 3);
+      step = 0;
+      state.ResumeTiming();
+    }
+    if (commanding == Commanding::kMoving) {
+      // Every step asks for another pose, so that nothing can be reused.
+      data->ctrl[0] = RadiansFromDegrees(60 + 0.01 * step);
+      data->ctrl[1] = RadiansFromDegrees(20 + 0.02 * step);
+    }
+    mj_step(&model, data.get());
+    ++step;
+  }
+}
+
+void RegisterEngine() {
+  const auto model_of = [](Actuation actuation) {
+    return LoadModel({{"shoulder.xml", ShoulderModelXml(BuiltInAnatomy(), BuiltInRhythm(),
+                                                        {.actuation = actuation})}});
+  };
+  benchmark::RegisterBenchmark("mj_kinematics of the model", [=](benchmark::State& state) {
+    const ModelPointer model = model_of(Actuation::kPlugin);
+    const DataPointer data = MakeData(*model);
+    for ([[maybe_unused]] auto iteration : state) {
+      mj_kinematics(model.get(), data.get());
+    }
+  });
+  const auto step = [=](const char* name, Actuation actuation, Commanding commanding) {
+    benchmark::RegisterBenchmark(name, [=](benchmark::State& state) {
+      const ModelPointer model = model_of(actuation);
+      Step(state, *model, commanding);
+    });
+  };
+  step(kStepWithout, Actuation::kPosition, Commanding::kHeld);
+  step("mj_step, plugin and sensor, commands held", Actuation::kPlugin, Commanding::kHeld);
+  step("mj_step, plugin and sensor, another pose each step", Actuation::kPlugin,
+       Commanding::kMoving);
+}
+
+// Keeps the times of all repetitions; prints nothing by itself.
+class MedianReporter : public benchmark::BenchmarkReporter {
+ public:
+  bool ReportContext(const Context& /*context*/) override { return true; }
+  void ReportRuns(const std::vector<Run>& runs) override {
+    for (const Run& run : runs) {
+      if (run.run_type == Run::RT_Iteration && !run.error_occurred) {
+        times_ns_[run.run_name.function_name].push_back(run.GetAdjustedRealTime());
+      }
+    }
+  }
+
+  /// Nothing that was filtered away is known.
+  [[nodiscard]] bool Has(const std::string& name) const { return times_ns_.contains(name); }
+  [[nodiscard]] double Median(const std::string& name) const {
+    std::vector<double> times = times_ns_.at(name);
+    const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
+    std::nth_element(times.begin(), middle, times.end());
+    return *middle;
+  }
+
+ private:
+  std::map<std::string, std::vector<double>> times_ns_;
+};
+
+void PrintPoses(const MedianReporter& times) {
+  if (!times.Has(kFloor)) {
+    return;
+  }
+  std::printf("%-50s %9s %22s\n", "one pose, all three joints, random", "ns", kFloor);
+  for (const char* name :
+       {kFloor, "slerp", "squad, as published", "smooth", "smooth, with first derivatives",
+        "smooth and exact", "smooth and exact, with first derivatives", "slerp, Euler angles",
+        "squad, Euler angles", "smooth, Euler angles", "smooth and exact, Euler angles",
+        "smooth and exact, all derivatives of the angles", "mj_kinematics of the model"}) {
+    if (times.Has(name)) {
+      std::printf("%-50s %9.1f %20.2f x\n", name, times.Median(name),
+                  times.Median(name) / times.Median(kFloor));
+    }
+  }
+}
+
+void PrintSteps(const MedianReporter& times) {
+  if (!times.Has(kStepWithout)) {
+    return;
+  }
+  std::printf("\n%-50s %9s %22s\n", "one step of the right shoulder", "ns", "added by the plugin");
+  std::printf("%-50s %9.0f\n", kStepWithout, times.Median(kStepWithout));
+  for (const char* name : {"mj_step, plugin and sensor, commands held",
+                           "mj_step, plugin and sensor, another pose each step"}) {
+    if (times.Has(name)) {
+      std::printf("%-50s %9.0f %+20.1f %%\n", name, times.Median(name),
+                  100 * (times.Median(name) / times.Median(kStepWithout) - 1));
+    }
+  }
+}
+
+// A million random positions as a file.
+void WritePoses(const std::filesystem::path& path, int rows) {
+  std::mt19937_64 random(kSeed);
+  std::uniform_real_distribution<double> elevation_deg(15, 120);
+  std::uniform_real_distribution<double> plane_deg(0, 90);
+  std::ofstream out(path);
+  std::string text = "elevation_deg,plane_deg\n";
+  for (int row = 0; row < rows; ++row) {
+    text += RoundedText(elevation_deg(random), 4) + "," + RoundedText(plane_deg(random), 4) + "\n";
+  }
+  out << text;
+  if (!out.flush()) {
+    throw std::runtime_error("cannot write " + path.string());
+  }
+}
+
+// Seconds that `girdle solve` takes from file to file.
+double SolveSeconds(const std::string& girdle, const std::filesystem::path& in,
+                    const std::filesystem::path& out, int threads) {
+  const std::string command = "'" + girdle + "' solve --in '" + in.string() + "' --out '" +
+                              out.string() + "' --threads " + std::to_string(threads);
+  const auto start = std::chrono::steady_clock::now();
+  // NOLINTNEXTLINE(cert-env33-c): a program of this build, paths of this process
+  if (std::system(command.c_str()) != 0) {
+    throw std::runtime_error("failed: " + command);
+  }
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+void PrintRows(const std::string& girdle) {
+  constexpr int kRows = 2'000'000;
+  constexpr int kRounds = 7;
+  const std::filesystem::path folder = std::filesystem::temp_directory_path() /
+                                       ("girdle_speed_" + std::to_string(std::random_device{}()));
+  std::filesystem::create_directory(folder);
+  WritePoses(folder / "poses.csv", kRows);
+  std::vector<double> one;
+  std::vector<double> two;
+  std::vector<double> ratios;
+  for (int round = 0; round < kRounds; ++round) {
+    one.push_back(SolveSeconds(girdle, folder / "poses.csv", folder / "angles.csv", 1));
+    two.push_back(SolveSeconds(girdle, folder / "poses.csv", folder / "angles.csv", 2));
+    ratios.push_back(one.back() / two.back());
+  }
+  std::filesystem::remove_all(folder);
+  const auto median = [](std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    return values[values.size() / 2];
+  };
+  std::printf("\n%-50s %9s\n", "girdle solve, file to file, smooth and exact", "rows/s");
+  std::printf("%-50s %9.0f\n", "one thread", kRows / median(one));
+  std::printf("%-50s %9.0f %20.2f x\n", "two threads", kRows / median(two), median(ratios));
+}
+
+int Run(int argc, char** argv) {
+  // Many short repetitions in random order, so that all see the same machine.
+  std::vector<std::string> words = {argv[0], "--benchmark_repetitions=15",
+                                    "--benchmark_min_time=0.05",
+                                    "--benchmark_enable_random_interleaving=true"};
+  words.insert(words.end(), argv + 1, argv + argc);
+  std::vector<char*> pointers;
+  for (std::string& word : words) {
+    pointers.push_back(word.data());
+  }
+  int count = static_cast<int>(pointers.size());
+  benchmark::Initialize(&count, pointers.data());
+  const std::string girdle = count > 1 ? pointers[1] : GIRDLE_BINARY_DIR "/girdle";
+  const std::string plugin = count > 2 ? pointers[2] : GIRDLE_BINARY_DIR "/libgirdle_rhythm.so";
+
+  const EngineWatch watch;
+  LoadPlugin(plugin);
+  RegisterPoses();
+  RegisterEngine();
+  MedianReporter times;
+  benchmark::RunSpecifiedBenchmarks(&times);
+  EngineWatch::ExpectNoWarning("stepping");
+  PrintPoses(times);
+  PrintSteps(times);
+  PrintRows(girdle);
+  return 0;
+}
+
+}  // namespace
+}  // namespace girdle
+
+int main(int argc, char** argv) {
+  try {
+    return girdle::Run(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "speed: %s\n", error.what());
+    return 2;
+  }
+}
