@@ -51,7 +51,7 @@ double RaiseElevation(const SimulateArguments& arguments, const std::string& tex
 MotionRequest Requested(const SimulateArguments& arguments) {
   if (arguments.raise.has_value() == arguments.motion.has_value()) {
     throw InputError(
-        "which motion? Give either --raise FROM:TO, such as --raise 15:120, or --motion FILE");
+        "which motion? Give either --raise FROM:TO, such as --raise 0:150, or --motion FILE");
   }
   MotionRequest request;
   if (arguments.motion) {
@@ -161,7 +161,7 @@ void AddSimulateCommand(CLI::App& program) {
   verb->add_flag("--json", arguments->json, "Summary as JSON");
   verb->footer(
       "Example:\n"
-      "  girdle simulate scene.xml --raise 15:120 --plane 0 --seconds 2 --trace raise.csv");
+      "  girdle simulate scene.xml --raise 0:150 --plane 0 --seconds 2 --trace raise.csv");
   verb->callback([arguments] { Simulate(*arguments); });
 }
 

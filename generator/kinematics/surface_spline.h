@@ -105,12 +105,18 @@ class SurfaceSpline {
   SurfaceSpline(const SurfaceGrid& grid,
                 const std::function<Values(std::size_t, std::size_t)>& value_at)
       : plane_powers_(grid.planes().powers()) {
+    std::vector<Values> values;
+    for (std::size_t m = 0; m < grid.elevations().knots(); ++m) {
+      for (std::size_t n = 0; n < grid.planes().knots(); ++n) {
+        values.push_back(value_at(m, n));
+      }
+    }
     for (std::size_t i = 0; i < grid.elevations().pieces(); ++i) {
       for (std::size_t j = 0; j < grid.planes().pieces(); ++j) {
         for (std::size_t l = 0; l < plane_powers_; ++l) {
           Row& row = rows_.emplace_back();
           for (std::size_t k = 0; k < SplineAxis::kPowers; ++k) {
-            row[k] = Coefficient(grid, i, k, j, l, value_at);
+            row[k] = Coefficient(grid, i, k, j, l, values);
           }
         }
       }
@@ -162,15 +168,16 @@ class SurfaceSpline {
   /// Coefficients of one power of plane, by power of elevation.
   using Row = std::array<Values, SplineAxis::kPowers>;
 
-  [[nodiscard]] static Values Coefficient(
-      const SurfaceGrid& grid, std::size_t i, std::size_t k, std::size_t j, std::size_t l,
-      const std::function<Values(std::size_t, std::size_t)>& value_at) {
+  /// Of the powers k and l in the piece (i, j); `values` stand elevation by elevation.
+  [[nodiscard]] static Values Coefficient(const SurfaceGrid& grid, std::size_t i, std::size_t k,
+                                          std::size_t j, std::size_t l,
+                                          const std::vector<Values>& values) {
     Values sum;
     sum.fill(L(0.0));
     for (std::size_t m = 0; m < grid.elevations().knots(); ++m) {
       for (std::size_t n = 0; n < grid.planes().knots(); ++n) {
         const double weight = grid.elevations().weight(i, k, m) * grid.planes().weight(j, l, n);
-        const Values value = value_at(m, n);
+        const Values& value = values[m * grid.planes().knots() + n];
         for (std::size_t c = 0; c < K; ++c) {
           sum[c] = sum[c] + weight * value[c];
         }
