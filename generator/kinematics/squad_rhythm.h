@@ -7,6 +7,7 @@
 /// Kim, Park, Jung, Han, "Data-driven shoulder inverse kinematics"; equation numbers are theirs.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -14,6 +15,9 @@
 #include "kinematics/rotation_spline.h"
 
 namespace girdle {
+
+/// Rotations of the joints of a shoulder: SC, AC, GH.
+using JointRotations = std::array<Quaternion, kJointCount>;
 
 class SquadRhythm {
  public:
@@ -25,15 +29,21 @@ class SquadRhythm {
   [[nodiscard]] JointRotations RotationsIn(const RhythmCell& cell) const noexcept;
 
  private:
-  /// One plane: the three joints at its elevations, and squad's inner control points.
+  using JointPoints = SpherePoints<kJointCount>;
+  using JointArcs = Arcs<kJointCount>;
+  using JointArcLengths = ArcLengths<kJointCount>;
+
+  /// One plane: the three joints at its elevations, squad's inner control points, and the lengths
+  /// of the arcs from each of them to the next.
   struct Series {
-    std::vector<JointRotations> knots;
-    std::vector<JointRotations> controls;
+    std::vector<JointPoints> knots;
+    std::vector<JointPoints> controls;
+    std::vector<JointArcLengths> knot_lengths;
+    std::vector<JointArcLengths> control_lengths;
   };
 
-  void AlignSigns(const RhythmTable& table, std::size_t plane, std::size_t elevation);
-  [[nodiscard]] JointRotations AlongElevation(std::size_t plane,
-                                              const RhythmCell& cell) const noexcept;
+  [[nodiscard]] JointPoints AlongElevation(std::size_t plane,
+                                           const RhythmCell& cell) const noexcept;
 
   bool smooths_;
   std::vector<Series> series_;  ///< one a plane
