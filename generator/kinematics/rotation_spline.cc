@@ -7,7 +7,7 @@
 #include <cmath>
 
 namespace girdle {
-namespace rotation_spline_detail {
+namespace {
 
 SpherePoint TrigonometricSlerp(const SpherePoint& a, const SpherePoint& b, double t) noexcept {
   const double W = std::acos(std::clamp(Dot(a, b), -1.0, 1.0));
@@ -20,40 +20,52 @@ SpherePoint TrigonometricSlerp(const SpherePoint& a, const SpherePoint& b, doubl
   return (std::sin((1 - t) * W) / sine) * a + (std::sin(t * W) / sine) * b;
 }
 
+}  // namespace
+
+namespace rotation_spline_detail {
+
+void SlerpOneByOne(const Arcs& arcs, double t, std::span<SpherePoint> points) noexcept {
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const double cosine_less_one = arcs.cosine_less_one[k];
+    const auto near = [&](auto series) noexcept {
+      SlerpBySeries(arcs.Part(k, 1), SlerpCoefficients<series.kTerms>(t), points.subspan(k, 1));
+    };
+    const auto far = [&]() noexcept {
+      points[k] = TrigonometricSlerp(arcs.from[k], arcs.to[k], t);
+    };
+    WithSeries(cosine_less_one, near, far);
+  }
+}
+
 double TrigonometricArcOverSine(double cosine) noexcept {
   // Below this sine squared W / sin(W) is 1 to the last bit, and 0/0 has to be avoided.
   constexpr double kTinySineSquared = 1e-16;
   const double sine_squared = (1 - cosine) * (1 + cosine);
-  const double size = sine_squared < kTinySineSquared
-                          ? 1
-                          : std::acos(std::abs(cosine)) / std::sqrt(sine_squared);
+  const double size =
+      sine_squared < kTinySineSquared ? 1 : std::acos(std::abs(cosine)) / std::sqrt(sine_squared);
   return std::copysign(size, cosine);
 }
 
 }  // namespace rotation_spline_detail
 
-namespace {
-
-SpherePoints<1> Points(const Quaternion& q) noexcept {
-  return {SpherePoint(q)};
-}
-
-}  // namespace
-
 Quaternion Slerp(const Quaternion& a, const Quaternion& b, double t) noexcept {
-  const SpherePoints<1> from = Points(a);
-  const SpherePoints<1> to = Points(b);
-  return Arcs<1>{from, to, ArcLengths<1>(from, to)}.At(t)[0].quaternion();
+  const std::array ends{SpherePoint(a), SpherePoint(b)};
+  const std::span<const SpherePoint> points(ends);
+  double length;  // NOLINT(*-init-variables): the next line's result
+  SpherePoint point;
+  MeasuredArcs(points.first(1), points.last(1), {&length, 1}).At(t, {&point, 1});
+  return point.quaternion();
 }
 
 Quaternion SquadControl(const Quaternion& q_previous, const Quaternion& q_i,
                         const Quaternion& q_next) noexcept {
-  const SpherePoints<1> previous = Points(q_previous);
-  const SpherePoints<1> knot = Points(q_i);
-  const SpherePoints<1> next = Points(q_next);
-  return SquadControl(Arcs<1>{previous, knot, ArcLengths<1>(previous, knot)},
-                      Arcs<1>{knot, next, ArcLengths<1>(knot, next)})[0]
-      .quaternion();
+  const std::array knots{SpherePoint(q_previous), SpherePoint(q_i), SpherePoint(q_next)};
+  const std::span<const SpherePoint> points(knots);
+  std::array<double, 2> lengths{};
+  const Arcs arcs = MeasuredArcs(points.first(2), points.last(2), lengths);
+  SpherePoint control;
+  SquadControl(arcs.Part(0, 1), arcs.Part(1, 1), {&control, 1});
+  return control.quaternion();
 }
 
 Quaternion Squad(const Quaternion& q_i, const Quaternion& q_next, const Quaternion& s_i,

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <span>
 
 #include "kinematics/pair.h"
 #include "kinematics/rotation.h"
@@ -56,47 +57,41 @@ struct SpherePoint {
   }
 };
 
-/// N rotations that are interpolated with the same t. Evaluated together they take little longer
-/// than one: each alone would wait for the last term of its own series.
-template <std::size_t N>
-using SpherePoints = std::array<SpherePoint, N>;
-
-/// How long the arcs between N pairs of points are.
-template <std::size_t N>
-struct ArcLengths {
-  std::array<double, N> cosine_less_one;  ///< cos(W) - 1, in [-2, 0] but for rounding
-  double least;                           ///< of these: the longest arc's
-
-  ArcLengths() = default;
-  ArcLengths(const SpherePoints<N>& a, const SpherePoints<N>& b) noexcept
-      : cosine_less_one{}, least(0) {
-    for (std::size_t k = 0; k < N; ++k) {
-      cosine_less_one[k] = Dot(a[k], b[k]) - 1;
-      least = std::min(least, cosine_less_one[k]);
-    }
-  }
-};
-
-/// Great arcs from each of N points to each of N others, with what does not depend on t: along a
-/// series of knots that stays the same it can be kept. Refers to the points.
-template <std::size_t N>
+/// Great arcs from each of some points to each of as many others, with what does not depend on t:
+/// along a series of knots that stays the same it can be kept. Refers to points and lengths that
+/// are kept elsewhere.
+///
+/// Rotations that are interpolated with the same t are evaluated together, which takes much less
+/// than one by one: each alone would need the series for t, and wait for its last term.
 struct Arcs {
-  const SpherePoints<N>& from;
-  const SpherePoints<N>& to;
-  const ArcLengths<N>& lengths;
+  std::span<const SpherePoint> from;
+  std::span<const SpherePoint> to;
+  std::span<const double> cosine_less_one;  ///< cos(W) - 1 of each, in [-2, 0] but for rounding
+  double least;                             ///< not above any of these: that of the longest arc
 
-  /// As Slerp, for each.
-  [[nodiscard]] SpherePoints<N> At(double t) const noexcept;
+  /// Some of them.
+  [[nodiscard]] Arcs Part(std::size_t first, std::size_t count) const noexcept {
+    return {from.subspan(first, count), to.subspan(first, count),
+            cosine_less_one.subspan(first, count), least};
+  }
+
+  /// As Slerp, for each. Precondition: as many `points` as arcs.
+  void At(double t, std::span<SpherePoint> points) const noexcept;
 };
 
-/// As for quaternions, for each. Precondition: `before` ends where `after` starts.
-template <std::size_t N>
-[[nodiscard]] SpherePoints<N> SquadControl(const Arcs<N>& before, const Arcs<N>& after) noexcept;
+/// Returns the arcs from each point to each other, their lengths in `cosine_less_one`.
+/// Precondition: as many of each.
+[[nodiscard]] Arcs MeasuredArcs(std::span<const SpherePoint> from, std::span<const SpherePoint> to,
+                                std::span<double> cosine_less_one) noexcept;
 
-/// As for quaternions, for each.
-template <std::size_t N>
-[[nodiscard]] SpherePoints<N> Squad(const Arcs<N>& knots, const Arcs<N>& controls,
-                                    double t) noexcept;
+/// As for quaternions, for each. Precondition: each of `before` ends where that of `after` starts;
+/// as many of each.
+void SquadControl(const Arcs& before, const Arcs& after, std::span<SpherePoint> controls) noexcept;
+
+/// As for quaternions, for each. Precondition: as many of each, at most MostArcs.
+template <std::size_t MostArcs>
+void Squad(const Arcs& knots, const Arcs& controls, double t,
+           std::span<SpherePoint> points) noexcept;
 
 namespace rotation_spline_detail {
 
@@ -112,10 +107,16 @@ GIRDLE_INLINE constexpr std::array<Scalar, Terms> SeriesCoefficients(Scalar scal
   coefficients[0] = scale;
   for (std::size_t i = 1; i < Terms; ++i) {
     const double n = static_cast<double>(i);
-    coefficients[i] =
-        coefficients[i - 1] * ((1 / (n * (2 * n + 1))) * t_squared - n / (2 * n + 1));
+    coefficients[i] = coefficients[i - 1] * ((1 / (n * (2 * n + 1))) * t_squared - n / (2 * n + 1));
   }
   return coefficients;
+}
+
+// Those of the weights of slerp's two ends.
+template <std::size_t Terms>
+GIRDLE_INLINE std::array<Pair, Terms> SlerpCoefficients(double t) noexcept {
+  const Pair u_and_t{1 - t, t};
+  return SeriesCoefficients<Terms>(u_and_t, u_and_t * u_and_t);
 }
 
 template <std::size_t Terms>
@@ -128,8 +129,8 @@ struct Series {
 // unit in the last place. Squad's inner arcs are very short, neighbours along elevation short.
 template <typename Near, typename Far>
 GIRDLE_INLINE auto WithSeries(double least, Near near, Far far) noexcept {
-  if (least > -1e-5) {
-    return near(Series<3>());
+  if (least > -2e-4) {
+    return near(Series<4>());
   }
   if (least > -5e-3) {
     return near(Series<6>());
@@ -146,94 +147,97 @@ GIRDLE_INLINE auto WithSeries(double least, Near near, Far far) noexcept {
   return far();
 }
 
-[[nodiscard]] SpherePoint TrigonometricSlerp(const SpherePoint& a, const SpherePoint& b,
-                                             double t) noexcept;
+/// Slerp of arcs one of which is far: each goes its own way.
+void SlerpOneByOne(const Arcs& arcs, double t, std::span<SpherePoint> points) noexcept;
 
 /// W / sin(W), and for W beyond a right angle W - pi in place of W: the logarithm's choice of sign.
 [[nodiscard]] double TrigonometricArcOverSine(double cosine) noexcept;
 
+// Slerp of near arcs; `coefficients` are the series' of 1-t and t.
+template <std::size_t Terms>
+GIRDLE_INLINE void SlerpBySeries(const Arcs& arcs, const std::array<Pair, Terms>& coefficients,
+                                 std::span<SpherePoint> points) noexcept {
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const Pair weights = PolynomialValue(coefficients, Pair(arcs.cosine_less_one[k]));
+    points[k] = weights[0] * arcs.from[k] + weights[1] * arcs.to[k];
+  }
+}
+
 }  // namespace rotation_spline_detail
 
+GIRDLE_INLINE Arcs MeasuredArcs(std::span<const SpherePoint> from, std::span<const SpherePoint> to,
+                                std::span<double> cosine_less_one) noexcept {
+  double least = 0;
+  for (std::size_t k = 0; k < from.size(); ++k) {
+    const double value = Dot(from[k], to[k]) - 1;
+    cosine_less_one[k] = value;
+    least = std::min(least, value);
+  }
+  return {from, to, cosine_less_one, least};
+}
+
 // slerp(a, b, t) = sin((1-t)W)/sin(W) a + sin(tW)/sin(W) b                                      (1)
-template <std::size_t N>
-GIRDLE_INLINE SpherePoints<N> Arcs<N>::At(double t) const noexcept {
+GIRDLE_INLINE void Arcs::At(double t, std::span<SpherePoint> points) const noexcept {
   using namespace rotation_spline_detail;  // NOLINT(google-build-using-namespace): the series
-  const auto by_series = [&](auto series) noexcept {
-    const Pair u_and_t{1 - t, t};
-    const auto coefficients = SeriesCoefficients<series.kTerms>(u_and_t, u_and_t * u_and_t);
-    SpherePoints<N> points;
-    for (std::size_t k = 0; k < N; ++k) {
-      const Pair weights = PolynomialValue(coefficients, Pair(lengths.cosine_less_one[k]));
-      points[k] = weights[0] * from[k] + weights[1] * to[k];
-    }
-    return points;
+  const auto near = [&](auto series) noexcept {
+    SlerpBySeries(*this, SlerpCoefficients<series.kTerms>(t), points);
   };
-  // One far pair among near ones: each goes its own way.
-  const auto one_by_one = [&]() noexcept {
-    SpherePoints<N> points;
-    for (std::size_t k = 0; k < N; ++k) {
-      if constexpr (N == 1) {
-        points[k] = TrigonometricSlerp(from[k], to[k], t);
-      } else {
-        const SpherePoints<1> a{from[k]};
-        const SpherePoints<1> b{to[k]};
-        points[k] = Arcs<1>{a, b, ArcLengths<1>(a, b)}.At(t)[0];
-      }
-    }
-    return points;
-  };
-  return WithSeries(lengths.least, by_series, one_by_one);
+  const auto far = [&]() noexcept { SlerpOneByOne(*this, t, points); };
+  WithSeries(least, near, far);
 }
 
 // s_i = q_i exp(-(log(q_i^-1 q_i+1) + log(q_i^-1 q_i-1)) / 4)                                   (5)
 //
 // A product with q_i turns the sphere and takes 1 to q_i, and the vectors at 1 to those at q_i:
 //   q_i log(q_i^-1 q) = 2 W/sin(W) (q - cos(W) q_i),   q_i exp(2 v) = cos|v| q_i + sin|v|/|v| q_i v
-template <std::size_t N>
-GIRDLE_INLINE SpherePoints<N> SquadControl(const Arcs<N>& before, const Arcs<N>& after) noexcept {
+GIRDLE_INLINE void SquadControl(const Arcs& before, const Arcs& after,
+                                std::span<SpherePoint> controls) noexcept {
   using namespace rotation_spline_detail;  // NOLINT(google-build-using-namespace): the series
-  const auto cosines_less_one = [&](std::size_t k) noexcept {
-    return Pair(before.lengths.cosine_less_one[k], after.lengths.cosine_less_one[k]);
+  const auto with_arcs_over_sine = [&](auto arcs_over_sine) noexcept {
+    for (std::size_t k = 0; k < controls.size(); ++k) {
+      const SpherePoint& q_i = after.from[k];
+      const Pair cosines_less_one{before.cosine_less_one[k], after.cosine_less_one[k]};
+      const Pair weights = -0.25 * arcs_over_sine(cosines_less_one);
+      const Pair of_q_i = weights * (1 + cosines_less_one);
+      const SpherePoint v =
+          weights[0] * before.from[k] + weights[1] * after.to[k] + -(of_q_i[0] + of_q_i[1]) * q_i;
+      const CosineAndSine<double> exp = CosineAndSineOfRoot(Dot(v, v));
+      controls[k] = exp.cosine * q_i + exp.sine_over_root * v;
+    }
   };
   const auto by_series = [&](auto series) noexcept {
     constexpr auto kCoefficients = SeriesCoefficients<series.kTerms>(1.0, 0.0);
-    std::array<Pair, N> arc_over_sine;
-    for (std::size_t k = 0; k < N; ++k) {
-      arc_over_sine[k] = PolynomialValue(kCoefficients, cosines_less_one(k));
-    }
-    return arc_over_sine;
+    with_arcs_over_sine([&](Pair x) noexcept { return PolynomialValue(kCoefficients, x); });
   };
-  const auto one_by_one = [&]() noexcept {
-    std::array<Pair, N> arc_over_sine;
-    for (std::size_t k = 0; k < N; ++k) {
-      const Pair cosines = 1 + cosines_less_one(k);
-      arc_over_sine[k] = {TrigonometricArcOverSine(cosines[0]),
-                          TrigonometricArcOverSine(cosines[1])};
-    }
-    return arc_over_sine;
+  const auto far = [&]() {
+    with_arcs_over_sine([](Pair x) {
+      return Pair(TrigonometricArcOverSine(1 + x[0]), TrigonometricArcOverSine(1 + x[1]));
+    });
   };
-  const std::array<Pair, N> arc_over_sine = WithSeries(
-      std::min(before.lengths.least, after.lengths.least), by_series, one_by_one);
-  SpherePoints<N> controls;
-  for (std::size_t k = 0; k < N; ++k) {
-    const SpherePoint& q_i = after.from[k];
-    const Pair weights = -0.25 * arc_over_sine[k];
-    const Pair of_q_i = weights * (1 + cosines_less_one(k));
-    const SpherePoint v = weights[0] * before.from[k] + weights[1] * after.to[k] +
-                          -(of_q_i[0] + of_q_i[1]) * q_i;
-    const CosineAndSine<double> exp = CosineAndSineOfRoot(Dot(v, v));
-    controls[k] = exp.cosine * q_i + exp.sine_over_root * v;
-  }
-  return controls;
+  WithSeries(std::min(before.least, after.least), by_series, far);
 }
 
 // squad(q_i, q_i+1, t) = slerp(slerp(q_i, q_i+1, t), slerp(s_i, s_i+1, t), 2t(1-t))             (4)
-template <std::size_t N>
-GIRDLE_INLINE SpherePoints<N> Squad(const Arcs<N>& knots, const Arcs<N>& controls,
-                                    double t) noexcept {
-  const SpherePoints<N> outer = knots.At(t);
-  const SpherePoints<N> inner = controls.At(t);
-  return Arcs<N>{outer, inner, ArcLengths<N>(outer, inner)}.At(2 * t * (1 - t));
+template <std::size_t MostArcs>
+GIRDLE_INLINE void Squad(const Arcs& knots, const Arcs& controls, double t,
+                         std::span<SpherePoint> points) noexcept {
+  using namespace rotation_spline_detail;  // NOLINT(google-build-using-namespace): the series
+  std::array<SpherePoint, MostArcs> outer;
+  std::array<SpherePoint, MostArcs> inner;
+  std::array<double, MostArcs> lengths;  // NOLINT(*-member-init): filled below
+  const std::size_t count = points.size();
+  const auto near = [&](auto series) noexcept {
+    const auto coefficients = SlerpCoefficients<series.kTerms>(t);
+    SlerpBySeries(knots, coefficients, {outer.data(), count});
+    SlerpBySeries(controls, coefficients, {inner.data(), count});
+  };
+  const auto far = [&]() noexcept {
+    SlerpOneByOne(knots, t, {outer.data(), count});
+    SlerpOneByOne(controls, t, {inner.data(), count});
+  };
+  WithSeries(std::min(knots.least, controls.least), near, far);
+  MeasuredArcs({outer.data(), count}, {inner.data(), count}, {lengths.data(), count})
+      .At(2 * t * (1 - t), points);
 }
 
 }  // namespace girdle

@@ -8,12 +8,10 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace girdle {
 namespace {
-
-using JointPoints = SpherePoints<kJointCount>;
-using JointArcLengths = ArcLengths<kJointCount>;
 
 JointRotations RotationsAt(const RhythmPosition& position) noexcept {
   const ShoulderPose pose = PoseFromAngles(position.angles_rad);
@@ -61,90 +59,88 @@ std::vector<JointRotations> AlignedKnots(const RhythmTable& table, std::size_t p
   return knots;
 }
 
-JointPoints PointsOf(const JointRotations& rotations) noexcept {
-  return {SpherePoint(rotations[0]), SpherePoint(rotations[1]), SpherePoint(rotations[2])};
-}
-
-// Lengths of the arcs from each of a series of knots to the next.
-GIRDLE_INLINE void MeasureArcs(std::span<const JointPoints> knots,
-                               std::span<JointArcLengths> lengths) noexcept {
-  for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
-    lengths[i] = JointArcLengths(knots[i], knots[i + 1]);
-  }
-}
-
-// Inner control points of a series of knots. Its ends have one neighbour: s_0 = q_0 and s_n = q_n.
-GIRDLE_INLINE void FindControls(std::span<const JointPoints> knots,
-                                std::span<const JointArcLengths> lengths,
-                                std::span<JointPoints> controls) noexcept {
-  std::copy(knots.begin(), knots.end(), controls.begin());
-  for (std::size_t i = 1; i + 1 < knots.size(); ++i) {
-    controls[i] = SquadControl(Arcs<kJointCount>{knots[i - 1], knots[i], lengths[i - 1]},
-                               Arcs<kJointCount>{knots[i], knots[i + 1], lengths[i]});
-  }
-}
-
 }  // namespace
 
+SquadRhythm::Rows::Rows(std::vector<SpherePoint> points, std::size_t row_size)
+    : row_size_(row_size),
+      points_(std::move(points)),
+      lengths_(points_.size() - row_size),
+      least_(lengths_.size() / row_size) {
+  for (std::size_t i = 0; i < least_.size(); ++i) {
+    least_[i] =
+        MeasuredArcs(Row(i), Row(i + 1), std::span(lengths_).subspan(i * row_size, row_size)).least;
+  }
+}
+
 SquadRhythm::SquadRhythm(const RhythmTable& table, bool smooths)
-    : smooths_(smooths), series_(table.planes_rad().size()) {
+    : smooths_(smooths), planes_(table.planes_rad().size()) {
   const std::size_t elevations = table.elevations_rad().size();
+  const std::size_t row_size = planes_ * kJointCount;
+  std::vector<SpherePoint> points(elevations * row_size);
   std::vector<JointRotations> rotations;
-  for (std::size_t plane = 0; plane < series_.size(); ++plane) {
+  for (std::size_t plane = 0; plane < planes_; ++plane) {
     rotations = AlignedKnots(table, plane, rotations);
-    Series& series = series_[plane];
-    for (const JointRotations& knot : rotations) {
-      series.knots.push_back(PointsOf(knot));
+    for (std::size_t i = 0; i < elevations; ++i) {
+      for (std::size_t joint = 0; joint < kJointCount; ++joint) {
+        points[i * row_size + plane * kJointCount + joint] = SpherePoint(rotations[i][joint]);
+      }
     }
-    series.controls.resize(elevations);
-    series.knot_lengths.resize(elevations - 1);
-    series.control_lengths.resize(elevations - 1);
-    MeasureArcs(series.knots, series.knot_lengths);
-    FindControls(series.knots, series.knot_lengths, series.controls);
-    MeasureArcs(series.controls, series.control_lengths);
+  }
+  knots_ = Rows(points, row_size);
+  if (smooths_) {
+    // The ends of a series have one neighbour: s_0 = q_0 and s_n = q_n.
+    for (std::size_t i = 1; i + 1 < elevations; ++i) {
+      SquadControl(knots_.ArcsFrom(i - 1), knots_.ArcsFrom(i),
+                   std::span(points).subspan(i * row_size, row_size));
+    }
+    controls_ = Rows(std::move(points), row_size);
   }
 }
 
 // q_j = squad along theta in plane j                                                       (10)
 // (11)
-GIRDLE_INLINE SquadRhythm::JointPoints SquadRhythm::AlongElevation(
-    std::size_t plane, const RhythmCell& cell) const noexcept {
-  const Series& series = series_[plane];
-  const std::size_t i = cell.elevation_index;
-  const JointArcs knots{series.knots[i], series.knots[i + 1], series.knot_lengths[i]};
-  if (!smooths_) {
-    return knots.At(cell.elevation_weight);
-  }
-  return Squad(knots,
-               JointArcs{series.controls[i], series.controls[i + 1], series.control_lengths[i]},
-               cell.elevation_weight);
-}
-
 // q = squad(q_j, q_j+1, t_psi), control points from the neighbouring planes at the same theta (12)
 JointRotations SquadRhythm::RotationsIn(const RhythmCell& cell) const noexcept {
-  // Planes j - 1 to j + 2 as far as there are such and they are needed.
+  const std::size_t i = cell.elevation_index;
   const std::size_t j = cell.plane_index;
+  // Planes j - 1 to j + 2, as far as they are needed and there are such.
   const std::size_t first = smooths_ && j > 0 ? j - 1 : j;
-  const std::size_t last = smooths_ ? std::min(j + 2, series_.size() - 1) : j + 1;
-  constexpr std::size_t kMostPlanes = 4;
-  std::array<JointPoints, kMostPlanes> knots;
-  std::array<JointArcLengths, kMostPlanes - 1> knot_lengths;
-  for (std::size_t plane = first; plane <= last; ++plane) {
-    knots[plane - first] = AlongElevation(plane, cell);
-  }
-  const std::span planes(knots.data(), last - first + 1);
-  MeasureArcs(planes, knot_lengths);
-  const std::size_t i = j - first;
-  const JointArcs arcs{knots[i], knots[i + 1], knot_lengths[i]};
-  JointPoints points;
+  const std::size_t last = smooths_ ? std::min(j + 2, planes_ - 1) : j + 1;
+  constexpr std::size_t kMost = 4 * kJointCount;
+  const std::size_t count = (last - first + 1) * kJointCount;
+  std::array<SpherePoint, kMost> knot_storage;
+  const std::span knots(knot_storage.data(), count);
+  const Arcs along_elevation = knots_.ArcsFrom(i).Part(first * kJointCount, count);
   if (smooths_) {
-    std::array<JointPoints, kMostPlanes> controls;
-    FindControls(planes, knot_lengths, controls);
-    const JointArcLengths control_lengths(controls[i], controls[i + 1]);
-    points = Squad(arcs, JointArcs{controls[i], controls[i + 1], control_lengths},
-                   cell.plane_weight);
+    Squad<kMost>(along_elevation, controls_.ArcsFrom(i).Part(first * kJointCount, count),
+                 cell.elevation_weight, knots);
   } else {
-    points = arcs.At(cell.plane_weight);
+    along_elevation.At(cell.elevation_weight, knots);
+  }
+
+  // From the joints in each plane to those in the next.
+  std::array<double, kMost> lengths;  // NOLINT(*-member-init): filled in the next line
+  const std::size_t arc_count = count - kJointCount;
+  const Arcs across_planes =
+      MeasuredArcs(knots.first(arc_count), knots.last(arc_count), {lengths.data(), arc_count});
+  const std::size_t here = (j - first) * kJointCount;
+  const Arcs arcs = across_planes.Part(here, kJointCount);
+  std::array<SpherePoint, kJointCount> points;
+  if (smooths_) {
+    std::array<SpherePoint, kMost> controls;
+    const std::size_t inner = arc_count - kJointCount;
+    std::copy_n(knots.begin(), kJointCount, controls.begin());
+    std::copy_n(knots.begin() + arc_count, kJointCount, controls.begin() + arc_count);
+    SquadControl(across_planes.Part(0, inner), across_planes.Part(kJointCount, inner),
+                 {controls.data() + kJointCount, inner});
+    const std::span<const SpherePoint> s(controls);
+    std::array<double, kJointCount> control_lengths;  // NOLINT(*-member-init): filled below
+    Squad<kJointCount>(arcs,
+                       MeasuredArcs(s.subspan(here, kJointCount),
+                                    s.subspan(here + kJointCount, kJointCount), control_lengths),
+                       cell.plane_weight, points);
+  } else {
+    arcs.At(cell.plane_weight, points);
   }
   return {points[0].quaternion(), points[1].quaternion(), points[2].quaternion()};
 }

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "kinematics/rhythm_table.h"
@@ -29,24 +30,32 @@ class SquadRhythm {
   [[nodiscard]] JointRotations RotationsIn(const RhythmCell& cell) const noexcept;
 
  private:
-  using JointPoints = SpherePoints<kJointCount>;
-  using JointArcs = Arcs<kJointCount>;
-  using JointArcLengths = ArcLengths<kJointCount>;
+  /// Points in rows of equal size, and the arcs from each point to that of the next row.
+  class Rows {
+   public:
+    Rows() = default;
+    Rows(std::vector<SpherePoint> points, std::size_t row_size);
 
-  /// One plane: the three joints at its elevations, squad's inner control points, and the lengths
-  /// of the arcs from each of them to the next.
-  struct Series {
-    std::vector<JointPoints> knots;
-    std::vector<JointPoints> controls;
-    std::vector<JointArcLengths> knot_lengths;
-    std::vector<JointArcLengths> control_lengths;
+    [[nodiscard]] std::span<const SpherePoint> Row(std::size_t i) const noexcept {
+      return std::span(points_).subspan(i * row_size_, row_size_);
+    }
+    /// Precondition: row i is not the last.
+    [[nodiscard]] Arcs ArcsFrom(std::size_t i) const noexcept {
+      return {Row(i), Row(i + 1), std::span(lengths_).subspan(i * row_size_, row_size_), least_[i]};
+    }
+
+   private:
+    std::size_t row_size_ = 0;
+    std::vector<SpherePoint> points_;
+    std::vector<double> lengths_;  ///< as in Arcs
+    std::vector<double> least_;    ///< as in Arcs, one a row
   };
 
-  [[nodiscard]] JointPoints AlongElevation(std::size_t plane,
-                                           const RhythmCell& cell) const noexcept;
-
   bool smooths_;
-  std::vector<Series> series_;  ///< one a plane
+  std::size_t planes_;
+  /// A row an elevation: the joints of the first plane, of the next, ...
+  Rows knots_;
+  Rows controls_;  ///< squad's inner control points; empty with slerp
 };
 
 }  // namespace girdle
