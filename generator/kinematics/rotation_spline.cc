@@ -4,7 +4,10 @@
 #include "kinematics/rotation_spline.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <span>
 
 namespace girdle {
 namespace {
@@ -26,14 +29,13 @@ namespace rotation_spline_detail {
 
 void SlerpOneByOne(const Arcs& arcs, double t, std::span<SpherePoint> points) noexcept {
   for (std::size_t k = 0; k < points.size(); ++k) {
-    const double cosine_less_one = arcs.cosine_less_one[k];
     const auto near = [&](auto series) noexcept {
       SlerpBySeries(arcs.Part(k, 1), SlerpCoefficients<series.kTerms>(t), points.subspan(k, 1));
     };
     const auto far = [&]() noexcept {
       points[k] = TrigonometricSlerp(arcs.from[k], arcs.to[k], t);
     };
-    WithSeries(cosine_less_one, near, far);
+    WithSeries(arcs.cosine_less_one[k], near, far);
   }
 }
 
@@ -49,28 +51,39 @@ double TrigonometricArcOverSine(double cosine) noexcept {
 }  // namespace rotation_spline_detail
 
 Quaternion Slerp(const Quaternion& a, const Quaternion& b, double t) noexcept {
-  const std::array ends{SpherePoint(a), SpherePoint(b)};
-  const std::span<const SpherePoint> points(ends);
-  double length;  // NOLINT(*-init-variables): the next line's result
-  SpherePoint point;
-  MeasuredArcs(points.first(1), points.last(1), {&length, 1}).At(t, {&point, 1});
-  return point.quaternion();
+  const std::array from{SpherePoint(a)};
+  const std::array to{SpherePoint(b)};
+  std::array<double, 1> length{};
+  std::array<SpherePoint, 1> point;
+  MeasuredArcs(from, to, length).At(t, point);
+  return point[0].quaternion();
 }
 
 Quaternion SquadControl(const Quaternion& q_previous, const Quaternion& q_i,
                         const Quaternion& q_next) noexcept {
-  const std::array knots{SpherePoint(q_previous), SpherePoint(q_i), SpherePoint(q_next)};
-  const std::span<const SpherePoint> points(knots);
-  std::array<double, 2> lengths{};
-  const Arcs arcs = MeasuredArcs(points.first(2), points.last(2), lengths);
-  SpherePoint control;
-  SquadControl(arcs.Part(0, 1), arcs.Part(1, 1), {&control, 1});
-  return control.quaternion();
+  const std::array previous{SpherePoint(q_previous)};
+  const std::array knot{SpherePoint(q_i)};
+  const std::array next{SpherePoint(q_next)};
+  std::array<double, 1> length_before{};
+  std::array<double, 1> length_after{};
+  std::array<SpherePoint, 1> control;
+  SquadControl(MeasuredArcs(previous, knot, length_before), MeasuredArcs(knot, next, length_after),
+               control);
+  return control[0].quaternion();
 }
 
 Quaternion Squad(const Quaternion& q_i, const Quaternion& q_next, const Quaternion& s_i,
                  const Quaternion& s_next, double t) noexcept {
-  return Slerp(Slerp(q_i, q_next, t), Slerp(s_i, s_next, t), 2 * t * (1 - t));
+  const std::array knot{SpherePoint(q_i)};
+  const std::array next_knot{SpherePoint(q_next)};
+  const std::array control{SpherePoint(s_i)};
+  const std::array next_control{SpherePoint(s_next)};
+  std::array<double, 1> knot_length{};
+  std::array<double, 1> control_length{};
+  std::array<SpherePoint, 1> point;
+  Squad<1>(MeasuredArcs(knot, next_knot, knot_length),
+           MeasuredArcs(control, next_control, control_length), t, point);
+  return point[0].quaternion();
 }
 
 }  // namespace girdle

@@ -57,38 +57,36 @@ struct SpherePoint {
   }
 };
 
-/// Great arcs from each of some points to each of as many others, with what does not depend on t:
-/// along a series of knots that stays the same it can be kept. Refers to points and lengths that
-/// are kept elsewhere.
+/// Great arcs, each from a point to another. Refers to points and lengths that are kept elsewhere.
 ///
-/// Rotations that are interpolated with the same t are evaluated together, which takes much less
-/// than one by one: each alone would need the series for t, and wait for its last term.
+/// Arcs that are divided at the same t are evaluated together: one by one each would make the
+/// series for t anew and wait for its own last term. Their lengths do not depend on t and may be
+/// kept with the points.
 struct Arcs {
   std::span<const SpherePoint> from;
   std::span<const SpherePoint> to;
   std::span<const double> cosine_less_one;  ///< cos(W) - 1 of each, in [-2, 0] but for rounding
-  double least;                             ///< not above any of these: that of the longest arc
+  double least;                             ///< none of these is below it
 
-  /// Some of them.
   [[nodiscard]] Arcs Part(std::size_t first, std::size_t count) const noexcept {
     return {from.subspan(first, count), to.subspan(first, count),
             cosine_less_one.subspan(first, count), least};
   }
 
-  /// As Slerp, for each. Precondition: as many `points` as arcs.
+  /// As Slerp, of each. Precondition: as many `points` as arcs.
   void At(double t, std::span<SpherePoint> points) const noexcept;
 };
 
-/// Returns the arcs from each point to each other, their lengths in `cosine_less_one`.
-/// Precondition: as many of each.
+/// Returns the arcs between points; puts their lengths into `cosine_less_one`. Precondition: as
+/// many of each.
 [[nodiscard]] Arcs MeasuredArcs(std::span<const SpherePoint> from, std::span<const SpherePoint> to,
                                 std::span<double> cosine_less_one) noexcept;
 
-/// As for quaternions, for each. Precondition: each of `before` ends where that of `after` starts;
-/// as many of each.
+/// As for quaternions, of each knot between an arc `before` that ends at it and one `after` that
+/// starts at it. Precondition: as many of each.
 void SquadControl(const Arcs& before, const Arcs& after, std::span<SpherePoint> controls) noexcept;
 
-/// As for quaternions, for each. Precondition: as many of each, at most MostArcs.
+/// As for quaternions, of each. Precondition: as many of each, at most MostArcs.
 template <std::size_t MostArcs>
 void Squad(const Arcs& knots, const Arcs& controls, double t,
            std::span<SpherePoint> points) noexcept;
@@ -98,21 +96,22 @@ namespace rotation_spline_detail {
 // sin(t W) / sin(W) as a power series in y = cos(W) - 1, which needs neither W nor a sine:
 //   sin(t W) / sin(W) = t (1 + c_1 y (1 + c_2 y (1 + ...))),   c_i = t^2 / (i (2i+1)) - i / (2i+1)
 // (D. Eberly, A Fast and Accurate Algorithm for Computing SLERP, J. Graphics Tools 2011;15:161).
-// Returns `scale` times the coefficients of y^0, y^1, ...; exactly 1 and zeros at t = 1. For t = 0
-// and a scale of 1 they are those of the limit W / sin(W).
+// Returns the coefficients of y^0, y^1, ... times `scale` / t. At t = 1 they are 1, 0, 0, ...
+// exactly; at t = 0, with a scale of 1, they are those of the limit W / sin(W).
 template <std::size_t Terms, typename Scalar>
 GIRDLE_INLINE constexpr std::array<Scalar, Terms> SeriesCoefficients(Scalar scale,
                                                                      Scalar t_squared) noexcept {
   std::array<Scalar, Terms> coefficients{};
   coefficients[0] = scale;
-  for (std::size_t i = 1; i < Terms; ++i) {
-    const double n = static_cast<double>(i);
-    coefficients[i] = coefficients[i - 1] * ((1 / (n * (2 * n + 1))) * t_squared - n / (2 * n + 1));
+  for (std::size_t n = 1; n < Terms; ++n) {
+    const double i = static_cast<double>(n);
+    const Scalar c_i = 1 / (i * (2 * i + 1)) * t_squared - i / (2 * i + 1);
+    coefficients[n] = coefficients[n - 1] * c_i;
   }
   return coefficients;
 }
 
-// Those of the weights of slerp's two ends.
+// The series of slerp's two weights.
 template <std::size_t Terms>
 GIRDLE_INLINE std::array<Pair, Terms> SlerpCoefficients(double t) noexcept {
   const Pair u_and_t{1 - t, t};
@@ -124,27 +123,26 @@ struct Series {
   static constexpr std::size_t kTerms = Terms;
 };
 
-// Calls `near` with the series for arcs with cos(W) - 1 down to `least`, or `far` where there is
-// none. In each case the first term left out, at most n! / (2n+1)!! |y|^n, is below 1e-16, half a
-// unit in the last place. Squad's inner arcs are very short, neighbours along elevation short.
+// Calls `near` with the series for arcs with cos(W) - 1 down to `least`, or `far` where that would
+// be long. The first term left out is at most n! / (2n+1)!! |least|^n, in each case below 1e-16,
+// half a unit in the last place. The measured table's neighbours along elevation are within the
+// second limit, those along plane within the third, and squad's inner arcs within the first: what
+// is chosen is the same for all its cells, which a processor predicts.
 template <typename Near, typename Far>
-GIRDLE_INLINE auto WithSeries(double least, Near near, Far far) noexcept {
+GIRDLE_INLINE void WithSeries(double least, Near near, Far far) noexcept {
   if (least > -2e-4) {
-    return near(Series<4>());
+    near(Series<4>());
+  } else if (least > -5e-3) {
+    near(Series<6>());
+  } else if (least > -0.035) {
+    near(Series<9>());
+  } else if (least > -0.12) {
+    near(Series<13>());
+  } else if (least > -0.3) {
+    near(Series<19>());
+  } else {
+    far();
   }
-  if (least > -5e-3) {
-    return near(Series<6>());
-  }
-  if (least > -0.035) {
-    return near(Series<9>());
-  }
-  if (least > -0.12) {
-    return near(Series<13>());
-  }
-  if (least > -0.3) {
-    return near(Series<19>());
-  }
-  return far();
 }
 
 /// Slerp of arcs one of which is far: each goes its own way.
@@ -153,7 +151,7 @@ void SlerpOneByOne(const Arcs& arcs, double t, std::span<SpherePoint> points) no
 /// W / sin(W), and for W beyond a right angle W - pi in place of W: the logarithm's choice of sign.
 [[nodiscard]] double TrigonometricArcOverSine(double cosine) noexcept;
 
-// Slerp of near arcs; `coefficients` are the series' of 1-t and t.
+// Slerp of near arcs.
 template <std::size_t Terms>
 GIRDLE_INLINE void SlerpBySeries(const Arcs& arcs, const std::array<Pair, Terms>& coefficients,
                                  std::span<SpherePoint> points) noexcept {

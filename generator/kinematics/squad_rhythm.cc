@@ -18,6 +18,9 @@ JointRotations RotationsAt(const RhythmPosition& position) noexcept {
   return {pose.q_TC, pose.q_CS, pose.q_SH};
 }
 
+// Of which one cell takes part, at most: its two and the next on either side.
+constexpr std::size_t kMostPlanes = 4;
+
 // Cosine of half the angle between rotations half a turn apart, 0 but for rounding.
 constexpr double kHalfTurnCosine = 1e-12;
 
@@ -88,7 +91,7 @@ SquadRhythm::SquadRhythm(const RhythmTable& table, bool smooths)
   }
   knots_ = Rows(points, row_size);
   if (smooths_) {
-    // The ends of a series have one neighbour: s_0 = q_0 and s_n = q_n.
+    // The ends of a series have one neighbour: s_0 = q_0 and s_n = q_n, as copied.
     for (std::size_t i = 1; i + 1 < elevations; ++i) {
       SquadControl(knots_.ArcsFrom(i - 1), knots_.ArcsFrom(i),
                    std::span(points).subspan(i * row_size, row_size));
@@ -97,52 +100,57 @@ SquadRhythm::SquadRhythm(const RhythmTable& table, bool smooths)
   }
 }
 
-// q_j = squad along theta in plane j                                                       (10)
-// (11)
+// q_j = squad along theta in plane j                                                    (10), (11)
+GIRDLE_INLINE void SquadRhythm::AlongElevation(const RhythmCell& cell, std::size_t first_plane,
+                                               std::span<SpherePoint> points) const noexcept {
+  const std::size_t i = cell.elevation_index;
+  const std::size_t first = first_plane * kJointCount;
+  const Arcs knots = knots_.ArcsFrom(i).Part(first, points.size());
+  if (!smooths_) {
+    knots.At(cell.elevation_weight, points);
+    return;
+  }
+  const Arcs controls = controls_.ArcsFrom(i).Part(first, points.size());
+  Squad<kMostPlanes * kJointCount>(knots, controls, cell.elevation_weight, points);
+}
+
 // q = squad(q_j, q_j+1, t_psi), control points from the neighbouring planes at the same theta (12)
 JointRotations SquadRhythm::RotationsIn(const RhythmCell& cell) const noexcept {
-  const std::size_t i = cell.elevation_index;
+  // Planes j - 1 to j + 2, as far as there are such and they are needed.
   const std::size_t j = cell.plane_index;
-  // Planes j - 1 to j + 2, as far as they are needed and there are such.
   const std::size_t first = smooths_ && j > 0 ? j - 1 : j;
   const std::size_t last = smooths_ ? std::min(j + 2, planes_ - 1) : j + 1;
-  constexpr std::size_t kMost = 4 * kJointCount;
   const std::size_t count = (last - first + 1) * kJointCount;
-  std::array<SpherePoint, kMost> knot_storage;
+  std::array<SpherePoint, kMostPlanes * kJointCount> knot_storage;
   const std::span knots(knot_storage.data(), count);
-  const Arcs along_elevation = knots_.ArcsFrom(i).Part(first * kJointCount, count);
-  if (smooths_) {
-    Squad<kMost>(along_elevation, controls_.ArcsFrom(i).Part(first * kJointCount, count),
-                 cell.elevation_weight, knots);
-  } else {
-    along_elevation.At(cell.elevation_weight, knots);
-  }
+  AlongElevation(cell, first, knots);
 
   // From the joints in each plane to those in the next.
-  std::array<double, kMost> lengths;  // NOLINT(*-member-init): filled in the next line
   const std::size_t arc_count = count - kJointCount;
-  const Arcs across_planes =
+  std::array<double, (kMostPlanes - 1) * kJointCount>
+      lengths;  // NOLINT(*-member-init): filled next
+  const Arcs arcs =
       MeasuredArcs(knots.first(arc_count), knots.last(arc_count), {lengths.data(), arc_count});
   const std::size_t here = (j - first) * kJointCount;
-  const Arcs arcs = across_planes.Part(here, kJointCount);
-  std::array<SpherePoint, kJointCount> points;
+  const Arcs cell_arcs = arcs.Part(here, kJointCount);
+  std::array<SpherePoint, kJointCount> joints;
   if (smooths_) {
-    std::array<SpherePoint, kMost> controls;
-    const std::size_t inner = arc_count - kJointCount;
+    // As along elevation, the ends of the series are their own control points.
+    std::array<SpherePoint, kMostPlanes * kJointCount> controls;
+    const std::size_t inner_count = arc_count - kJointCount;
     std::copy_n(knots.begin(), kJointCount, controls.begin());
-    std::copy_n(knots.begin() + arc_count, kJointCount, controls.begin() + arc_count);
-    SquadControl(across_planes.Part(0, inner), across_planes.Part(kJointCount, inner),
-                 {controls.data() + kJointCount, inner});
+    SquadControl(arcs.Part(0, inner_count), arcs.Part(kJointCount, inner_count),
+                 {controls.data() + kJointCount, inner_count});
+    std::copy_n(knots.end() - kJointCount, kJointCount, controls.begin() + arc_count);
     const std::span<const SpherePoint> s(controls);
-    std::array<double, kJointCount> control_lengths;  // NOLINT(*-member-init): filled below
-    Squad<kJointCount>(arcs,
-                       MeasuredArcs(s.subspan(here, kJointCount),
-                                    s.subspan(here + kJointCount, kJointCount), control_lengths),
-                       cell.plane_weight, points);
+    std::array<double, kJointCount> control_lengths;  // NOLINT(*-member-init): filled next
+    const Arcs control_arcs = MeasuredArcs(
+        s.subspan(here, kJointCount), s.subspan(here + kJointCount, kJointCount), control_lengths);
+    Squad<kJointCount>(cell_arcs, control_arcs, cell.plane_weight, joints);
   } else {
-    arcs.At(cell.plane_weight, points);
+    cell_arcs.At(cell.plane_weight, joints);
   }
-  return {points[0].quaternion(), points[1].quaternion(), points[2].quaternion()};
+  return {joints[0].quaternion(), joints[1].quaternion(), joints[2].quaternion()};
 }
 
 }  // namespace girdle

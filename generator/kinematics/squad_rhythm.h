@@ -51,6 +51,10 @@ class SquadRhythm {
     std::vector<double> least_;    ///< as in Arcs, one a row
   };
 
+  /// The joints of some planes, from the first on, at the cell's place along elevation.
+  void AlongElevation(const RhythmCell& cell, std::size_t first_plane,
+                      std::span<SpherePoint> points) const noexcept;
+
   bool smooths_;
   std::size_t planes_;
   /// A row an elevation: the joints of the first plane, of the next, ...
