@@ -18,8 +18,8 @@ JointRotations RotationsAt(const RhythmPosition& position) noexcept {
   return {pose.q_TC, pose.q_CS, pose.q_SH};
 }
 
-// Of which one cell takes part, at most: its two and the next on either side.
-constexpr std::size_t kMostPlanes = 4;
+// Joints that a cell needs along elevation, at most: in its two planes and the next on either side.
+constexpr std::size_t kMostRotations = 4 * kJointCount;
 
 // Cosine of half the angle between rotations half a turn apart, 0 but for rounding.
 constexpr double kHalfTurnCosine = 1e-12;
@@ -65,13 +65,13 @@ std::vector<JointRotations> AlignedKnots(const RhythmTable& table, std::size_t p
 }  // namespace
 
 SquadRhythm::Rows::Rows(std::vector<SpherePoint> points, std::size_t row_size)
-    : row_size_(row_size),
-      points_(std::move(points)),
-      lengths_(points_.size() - row_size),
-      least_(lengths_.size() / row_size) {
-  for (std::size_t i = 0; i < least_.size(); ++i) {
-    least_[i] =
-        MeasuredArcs(Row(i), Row(i + 1), std::span(lengths_).subspan(i * row_size, row_size)).least;
+    : row_size_(row_size), points_(std::move(points)), lengths_(points_.size() - row_size) {
+  const std::span all(std::as_const(points_));
+  for (std::size_t first = 0; first < lengths_.size(); first += row_size) {
+    const Arcs arcs =
+        MeasuredArcs(all.subspan(first, row_size), all.subspan(first + row_size, row_size),
+                     std::span(lengths_).subspan(first, row_size));
+    least_.push_back(arcs.least);
   }
 }
 
@@ -111,7 +111,7 @@ GIRDLE_INLINE void SquadRhythm::AlongElevation(const RhythmCell& cell, std::size
     return;
   }
   const Arcs controls = controls_.ArcsFrom(i).Part(first, points.size());
-  Squad<kMostPlanes * kJointCount>(knots, controls, cell.elevation_weight, points);
+  Squad<kMostRotations>(knots, controls, cell.elevation_weight, points);
 }
 
 // q = squad(q_j, q_j+1, t_psi), control points from the neighbouring planes at the same theta (12)
@@ -121,14 +121,13 @@ JointRotations SquadRhythm::RotationsIn(const RhythmCell& cell) const noexcept {
   const std::size_t first = smooths_ && j > 0 ? j - 1 : j;
   const std::size_t last = smooths_ ? std::min(j + 2, planes_ - 1) : j + 1;
   const std::size_t count = (last - first + 1) * kJointCount;
-  std::array<SpherePoint, kMostPlanes * kJointCount> knot_storage;
+  std::array<SpherePoint, kMostRotations> knot_storage;
   const std::span knots(knot_storage.data(), count);
   AlongElevation(cell, first, knots);
 
   // From the joints in each plane to those in the next.
   const std::size_t arc_count = count - kJointCount;
-  std::array<double, (kMostPlanes - 1) * kJointCount>
-      lengths;  // NOLINT(*-member-init): filled next
+  std::array<double, kMostRotations> lengths;  // NOLINT(*-member-init): filled next
   const Arcs arcs =
       MeasuredArcs(knots.first(arc_count), knots.last(arc_count), {lengths.data(), arc_count});
   const std::size_t here = (j - first) * kJointCount;
@@ -136,7 +135,7 @@ JointRotations SquadRhythm::RotationsIn(const RhythmCell& cell) const noexcept {
   std::array<SpherePoint, kJointCount> joints;
   if (smooths_) {
     // As along elevation, the ends of the series are their own control points.
-    std::array<SpherePoint, kMostPlanes * kJointCount> controls;
+    std::array<SpherePoint, kMostRotations> controls;
     const std::size_t inner_count = arc_count - kJointCount;
     std::copy_n(knots.begin(), kJointCount, controls.begin());
     SquadControl(arcs.Part(0, inner_count), arcs.Part(kJointCount, inner_count),
