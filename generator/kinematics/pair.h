@@ -52,9 +52,10 @@ class Pair {
 [[nodiscard]] inline double Sqrt(double x) noexcept { return std::sqrt(x); }
 [[nodiscard]] inline double Atan2(double y, double x) noexcept { return std::atan2(y, x); }
 
-/// Value of c_0 + c_1 x + c_2 x^2 + ..., with short chains of dependent operations (Estrin).
-template <std::size_t N, typename L>
-[[nodiscard]] GIRDLE_INLINE L PolynomialValue(const std::array<double, N>& c, L x) noexcept {
+/// Value of c_0 + c_1 x + c_2 x^2 + ..., with short chains of dependent operations (Estrin). The
+/// coefficients may be numbers, the same for all elements of x, or pairs.
+template <std::size_t N, typename C, typename L>
+[[nodiscard]] GIRDLE_INLINE L PolynomialValue(const std::array<C, N>& c, L x) noexcept {
   if constexpr (N == 0) {
     return L(0.0);
   } else if constexpr (N == 1) {

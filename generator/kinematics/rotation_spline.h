@@ -4,12 +4,18 @@
 /// Interpolation of unit quaternions as Kim et al. use it: slerp and squad.
 ///
 /// Quaternions are taken with the sign they have: the curve from `a` to `b` takes the long way
-/// round when a . b < 0. Align signs first (AlignedWith). Parameters t are in [0, 1].
+/// round when a . b < 0. Align signs first (AlignedWith). Parameters t are in [0, 1]. W is the
+/// length of an arc [rad], half the angle of the turn, and cos(W) = a . b.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
+#include <span>
 
+#include "kinematics/pair.h"
 #include "kinematics/rotation.h"
+#include "kinematics/rotation_algebra.h"
 
 namespace girdle {
 
@@ -27,17 +33,209 @@ namespace girdle {
 [[nodiscard]] Quaternion Squad(const Quaternion& q_i, const Quaternion& q_next,
                                const Quaternion& s_i, const Quaternion& s_next, double t) noexcept;
 
-/// Three rotations that are interpolated with the same t: the joints of a shoulder.
-using JointRotations = std::array<Quaternion, 3>;
+/// A unit quaternion as a point of the unit sphere in four dimensions. Slerp and squad need no
+/// product of quaternions: they are sums of points with weights.
+struct SpherePoint {
+  Pair xy;
+  Pair zw;
 
-/// As above for each of three; evaluated together, which takes little longer than one.
-[[nodiscard]] JointRotations Slerp(const JointRotations& a, const JointRotations& b,
-                                   double t) noexcept;
-[[nodiscard]] JointRotations SquadControl(const JointRotations& q_previous,
-                                          const JointRotations& q_i,
-                                          const JointRotations& q_next) noexcept;
-[[nodiscard]] JointRotations Squad(const JointRotations& q_i, const JointRotations& q_next,
-                                   const JointRotations& s_i, const JointRotations& s_next,
-                                   double t) noexcept;
+  SpherePoint() = default;
+  SpherePoint(Pair xy_in, Pair zw_in) noexcept : xy(xy_in), zw(zw_in) {}
+  explicit SpherePoint(const Quaternion& q) noexcept : xy(q.x, q.y), zw(q.z, q.w) {}
+
+  [[nodiscard]] Quaternion quaternion() const noexcept { return {zw[1], xy[0], xy[1], zw[0]}; }
+
+  friend SpherePoint operator+(const SpherePoint& a, const SpherePoint& b) noexcept {
+    return {a.xy + b.xy, a.zw + b.zw};
+  }
+  friend SpherePoint operator*(double factor, const SpherePoint& a) noexcept {
+    return {factor * a.xy, factor * a.zw};
+  }
+  [[nodiscard]] friend double Dot(const SpherePoint& a, const SpherePoint& b) noexcept {
+    const Pair sum = a.xy * b.xy + a.zw * b.zw;
+    return sum[0] + sum[1];
+  }
+};
+
+/// Great arcs, each from a point to another. Refers to points and lengths that are kept elsewhere.
+///
+/// Arcs that are divided at the same t are evaluated together: one by one each would make the
+/// series for t anew and wait for its own last term. Their lengths do not depend on t and may be
+/// kept with the points.
+struct Arcs {
+  std::span<const SpherePoint> from;
+  std::span<const SpherePoint> to;
+  std::span<const double> cosine_less_one;  ///< cos(W) - 1 of each, in [-2, 0] but for rounding
+  double least;                             ///< none of these is below it
+
+  [[nodiscard]] Arcs Part(std::size_t first, std::size_t count) const noexcept {
+    return {from.subspan(first, count), to.subspan(first, count),
+            cosine_less_one.subspan(first, count), least};
+  }
+
+  /// As Slerp, of each. Precondition: as many `points` as arcs.
+  void At(double t, std::span<SpherePoint> points) const noexcept;
+};
+
+/// Returns the arcs between points; puts their lengths into `cosine_less_one`. Precondition: as
+/// many of each.
+[[nodiscard]] Arcs MeasuredArcs(std::span<const SpherePoint> from, std::span<const SpherePoint> to,
+                                std::span<double> cosine_less_one) noexcept;
+
+/// As for quaternions, of each knot between an arc `before` that ends at it and one `after` that
+/// starts at it. Precondition: as many of each.
+void SquadControl(const Arcs& before, const Arcs& after, std::span<SpherePoint> controls) noexcept;
+
+/// As for quaternions, of each. Precondition: as many of each, at most MostArcs.
+template <std::size_t MostArcs>
+void Squad(const Arcs& knots, const Arcs& controls, double t,
+           std::span<SpherePoint> points) noexcept;
+
+namespace rotation_spline_detail {
+
+// sin(t W) / sin(W) as a power series in y = cos(W) - 1, which needs neither W nor a sine:
+//   sin(t W) / sin(W) = t (1 + c_1 y (1 + c_2 y (1 + ...))),   c_i = t^2 / (i (2i+1)) - i / (2i+1)
+// (D. Eberly, A Fast and Accurate Algorithm for Computing SLERP, J. Graphics Tools 2011;15:161).
+// Returns the coefficients of y^0, y^1, ... times `scale` / t. At t = 1 they are 1, 0, 0, ...
+// exactly; at t = 0, with a scale of 1, they are those of the limit W / sin(W).
+template <std::size_t Terms, typename Scalar>
+GIRDLE_INLINE constexpr std::array<Scalar, Terms> SeriesCoefficients(Scalar scale,
+                                                                     Scalar t_squared) noexcept {
+  std::array<Scalar, Terms> coefficients{};
+  coefficients[0] = scale;
+  for (std::size_t n = 1; n < Terms; ++n) {
+    const double i = static_cast<double>(n);
+    const Scalar c_i = 1 / (i * (2 * i + 1)) * t_squared - i / (2 * i + 1);
+    coefficients[n] = coefficients[n - 1] * c_i;
+  }
+  return coefficients;
+}
+
+// The series of slerp's two weights.
+template <std::size_t Terms>
+GIRDLE_INLINE std::array<Pair, Terms> SlerpCoefficients(double t) noexcept {
+  const Pair u_and_t{1 - t, t};
+  return SeriesCoefficients<Terms>(u_and_t, u_and_t * u_and_t);
+}
+
+template <std::size_t Terms>
+struct Series {
+  static constexpr std::size_t kTerms = Terms;
+};
+
+// Calls `near` with the series for arcs with cos(W) - 1 down to `least`, or `far` where that would
+// be long. The first term left out is at most n! / (2n+1)!! |least|^n, in each case below 1e-16,
+// half a unit in the last place. The measured table's neighbours along elevation are within the
+// second limit, those along plane within the third, and squad's inner arcs within the first: what
+// is chosen is the same for all its cells, which a processor predicts.
+template <typename Near, typename Far>
+GIRDLE_INLINE void WithSeries(double least, Near near, Far far) noexcept {
+  if (least > -2e-4) {
+    near(Series<4>());
+  } else if (least > -5e-3) {
+    near(Series<6>());
+  } else if (least > -0.035) {
+    near(Series<9>());
+  } else if (least > -0.12) {
+    near(Series<13>());
+  } else if (least > -0.3) {
+    near(Series<19>());
+  } else {
+    far();
+  }
+}
+
+/// Slerp of arcs one of which is far: each goes its own way.
+void SlerpOneByOne(const Arcs& arcs, double t, std::span<SpherePoint> points) noexcept;
+
+/// W / sin(W), and for W beyond a right angle W - pi in place of W: the logarithm's choice of sign.
+[[nodiscard]] double TrigonometricArcOverSine(double cosine) noexcept;
+
+// Slerp of near arcs.
+template <std::size_t Terms>
+GIRDLE_INLINE void SlerpBySeries(const Arcs& arcs, const std::array<Pair, Terms>& coefficients,
+                                 std::span<SpherePoint> points) noexcept {
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const Pair weights = PolynomialValue(coefficients, Pair(arcs.cosine_less_one[k]));
+    points[k] = weights[0] * arcs.from[k] + weights[1] * arcs.to[k];
+  }
+}
+
+}  // namespace rotation_spline_detail
+
+GIRDLE_INLINE Arcs MeasuredArcs(std::span<const SpherePoint> from, std::span<const SpherePoint> to,
+                                std::span<double> cosine_less_one) noexcept {
+  double least = 0;
+  for (std::size_t k = 0; k < from.size(); ++k) {
+    const double value = Dot(from[k], to[k]) - 1;
+    cosine_less_one[k] = value;
+    least = std::min(least, value);
+  }
+  return {from, to, cosine_less_one, least};
+}
+
+// slerp(a, b, t) = sin((1-t)W)/sin(W) a + sin(tW)/sin(W) b                                      (1)
+GIRDLE_INLINE void Arcs::At(double t, std::span<SpherePoint> points) const noexcept {
+  using namespace rotation_spline_detail;  // NOLINT(google-build-using-namespace): the series
+  const auto near = [&](auto series) noexcept {
+    SlerpBySeries(*this, SlerpCoefficients<series.kTerms>(t), points);
+  };
+  const auto far = [&]() noexcept { SlerpOneByOne(*this, t, points); };
+  WithSeries(least, near, far);
+}
+
+// s_i = q_i exp(-(log(q_i^-1 q_i+1) + log(q_i^-1 q_i-1)) / 4)                                   (5)
+//
+// A product with q_i turns the sphere and takes 1 to q_i, and the vectors at 1 to those at q_i:
+//   q_i log(q_i^-1 q) = 2 W/sin(W) (q - cos(W) q_i),   q_i exp(2 v) = cos|v| q_i + sin|v|/|v| q_i v
+GIRDLE_INLINE void SquadControl(const Arcs& before, const Arcs& after,
+                                std::span<SpherePoint> controls) noexcept {
+  using namespace rotation_spline_detail;  // NOLINT(google-build-using-namespace): the series
+  const auto with_arcs_over_sine = [&](auto arcs_over_sine) noexcept {
+    for (std::size_t k = 0; k < controls.size(); ++k) {
+      const SpherePoint& q_i = after.from[k];
+      const Pair cosines_less_one{before.cosine_less_one[k], after.cosine_less_one[k]};
+      const Pair weights = -0.25 * arcs_over_sine(cosines_less_one);
+      const Pair of_q_i = weights * (1 + cosines_less_one);
+      const SpherePoint v =
+          weights[0] * before.from[k] + weights[1] * after.to[k] + -(of_q_i[0] + of_q_i[1]) * q_i;
+      const CosineAndSine<double> exp = CosineAndSineOfRoot(Dot(v, v));
+      controls[k] = exp.cosine * q_i + exp.sine_over_root * v;
+    }
+  };
+  const auto by_series = [&](auto series) noexcept {
+    constexpr auto kCoefficients = SeriesCoefficients<series.kTerms>(1.0, 0.0);
+    with_arcs_over_sine([&](Pair x) noexcept { return PolynomialValue(kCoefficients, x); });
+  };
+  const auto far = [&]() {
+    with_arcs_over_sine([](Pair x) {
+      return Pair(TrigonometricArcOverSine(1 + x[0]), TrigonometricArcOverSine(1 + x[1]));
+    });
+  };
+  WithSeries(std::min(before.least, after.least), by_series, far);
+}
+
+// squad(q_i, q_i+1, t) = slerp(slerp(q_i, q_i+1, t), slerp(s_i, s_i+1, t), 2t(1-t))             (4)
+template <std::size_t MostArcs>
+GIRDLE_INLINE void Squad(const Arcs& knots, const Arcs& controls, double t,
+                         std::span<SpherePoint> points) noexcept {
+  using namespace rotation_spline_detail;  // NOLINT(google-build-using-namespace): the series
+  std::array<SpherePoint, MostArcs> outer;
+  std::array<SpherePoint, MostArcs> inner;
+  std::array<double, MostArcs> lengths;  // NOLINT(*-member-init): filled below
+  const std::size_t count = points.size();
+  const auto near = [&](auto series) noexcept {
+    const auto coefficients = SlerpCoefficients<series.kTerms>(t);
+    SlerpBySeries(knots, coefficients, {outer.data(), count});
+    SlerpBySeries(controls, coefficients, {inner.data(), count});
+  };
+  const auto far = [&]() noexcept {
+    SlerpOneByOne(knots, t, {outer.data(), count});
+    SlerpOneByOne(controls, t, {inner.data(), count});
+  };
+  WithSeries(std::min(knots.least, controls.least), near, far);
+  MeasuredArcs({outer.data(), count}, {inner.data(), count}, {lengths.data(), count})
+      .At(2 * t * (1 - t), points);
+}
 
 }  // namespace girdle

@@ -7,13 +7,18 @@
 /// Kim, Park, Jung, Han, "Data-driven shoulder inverse kinematics"; equation numbers are theirs.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "kinematics/rhythm_table.h"
 #include "kinematics/rotation_spline.h"
 
 namespace girdle {
+
+/// Rotations of the joints of a shoulder: SC, AC, GH.
+using JointRotations = std::array<Quaternion, kJointCount>;
 
 class SquadRhythm {
  public:
@@ -25,18 +30,36 @@ class SquadRhythm {
   [[nodiscard]] JointRotations RotationsIn(const RhythmCell& cell) const noexcept;
 
  private:
-  /// One plane: the three joints at its elevations, and squad's inner control points.
-  struct Series {
-    std::vector<JointRotations> knots;
-    std::vector<JointRotations> controls;
+  /// Points in rows of equal size, and the arcs from each point to that of the next row.
+  class Rows {
+   public:
+    Rows() = default;
+    Rows(std::vector<SpherePoint> points, std::size_t row_size);
+
+    [[nodiscard]] std::span<const SpherePoint> Row(std::size_t i) const noexcept {
+      return std::span(points_).subspan(i * row_size_, row_size_);
+    }
+    /// Precondition: row i is not the last.
+    [[nodiscard]] Arcs ArcsFrom(std::size_t i) const noexcept {
+      return {Row(i), Row(i + 1), std::span(lengths_).subspan(i * row_size_, row_size_), least_[i]};
+    }
+
+   private:
+    std::size_t row_size_ = 0;
+    std::vector<SpherePoint> points_;
+    std::vector<double> lengths_;  ///< as in Arcs
+    std::vector<double> least_;    ///< as in Arcs, one a row
   };
 
-  void AlignSigns(const RhythmTable& table, std::size_t plane, std::size_t elevation);
-  [[nodiscard]] JointRotations AlongElevation(std::size_t plane,
-                                              const RhythmCell& cell) const noexcept;
+  /// The joints of some planes, from the first on, at the cell's place along elevation.
+  void AlongElevation(const RhythmCell& cell, std::size_t first_plane,
+                      std::span<SpherePoint> points) const noexcept;
 
   bool smooths_;
-  std::vector<Series> series_;  ///< one a plane
+  std::size_t planes_;
+  /// A row an elevation: the joints of the first plane, of the next, ...
+  Rows knots_;
+  Rows controls_;  ///< squad's inner control points; empty with slerp
 };
 
 }  // namespace girdle

@@ -70,10 +70,10 @@ TEST_P(SlerpAcross, IsTheClosedFormula) {
 
 // The borders of the implementation's branches from both sides, and between them.
 INSTANTIATE_TEST_SUITE_P(Cosines, SlerpAcross,
-                         testing::Values(1 - 0.9999e-5, 1 - 1.0001e-5, 0.9999, 0.999 + 1e-12,
-                                         0.999 - 1e-12, 0.99, 0.98 + 1e-12, 0.98 - 1e-12, 0.97,
-                                         0.95 + 1e-12, 0.95 - 1e-12, 0.7, 0.1, 0.0, -0.4, -0.9,
-                                         -0.99999));
+                         testing::Values(1 - 1e-5, 1 - 1.9999e-4, 1 - 2.0001e-4, 0.999,
+                                         0.995 + 1e-12, 0.995 - 1e-12, 0.98, 0.965 + 1e-12,
+                                         0.965 - 1e-12, 0.9, 0.88 + 1e-12, 0.88 - 1e-12, 0.8,
+                                         0.7 + 1e-12, 0.7 - 1e-12, 0.1, 0.0, -0.4, -0.9, -0.99999));
 
 class ShortSlerp : public testing::TestWithParam<double> {};
 
@@ -168,20 +168,52 @@ RC_GTEST_PROP(SquadControl, OfAnEvenTurnIsTheKnot, ()) {
 }
 
 // Equation (5) with the exponential and the logarithms written out by sine and arc tangent.
-RC_GTEST_PROP(SquadControl, IsEquation5, ()) {
-  const std::vector<Quaternion> knots = Knots(3);
-  const auto rotation_vector = [](const Quaternion& q) {
+Quaternion FormulaControl(const Quaternion& q_previous, const Quaternion& q_i,
+                          const Quaternion& q_next) {
+  const auto rotation_vector = [](Quaternion q) {
+    if (q.w < 0) q = -q;
     const Vector3 sine{q.x, q.y, q.z};
     const double size = glm::length(sine);
     return size > 0 ? sine * (2 * std::atan2(size, q.w) / size) : sine;
   };
-  const Quaternion inverse = glm::conjugate(knots[1]);
+  const Quaternion inverse = glm::conjugate(q_i);
   const Vector3 vector =
-      (rotation_vector(inverse * knots[2]) + rotation_vector(inverse * knots[0])) / -4.0;
+      (rotation_vector(inverse * q_next) + rotation_vector(inverse * q_previous)) / -4.0;
   const double angle = glm::length(vector);
-  const Quaternion expected = angle > 0 ? AtArc(knots[1], vector / angle, angle / 2) : knots[1];
-  RC_ASSERT(Difference(SquadControl(knots[0], knots[1], knots[2]), expected) < kRounding);
+  return angle > 0 ? AtArc(q_i, vector / angle, angle / 2) : q_i;
 }
+
+RC_GTEST_PROP(SquadControl, IsEquation5, ()) {
+  const std::vector<Quaternion> knots = Knots(3);
+  RC_ASSERT(Difference(SquadControl(knots[0], knots[1], knots[2]),
+                       FormulaControl(knots[0], knots[1], knots[2])) < kRounding);
+}
+
+// Arcs between a knot and its neighbours, given by their cosines.
+class SquadControlAcross : public testing::TestWithParam<double> {};
+
+// Also beyond a right angle, where the logarithm takes a neighbour's nearer sign.
+TEST_P(SquadControlAcross, IsEquation5) {
+  const Quaternion q_i = QuaternionFromEuler(EulerSequence::kYXZ, {0.4, -1.1, 2.3});
+  const Quaternion previous = AtArc(q_i, {0.36, 0.48, -0.8}, std::acos(GetParam()));
+  for (const double arc_rad : {0.0, 1e-9, 0.05, 0.4, 1.2, 1.9, 3.0}) {
+    const Quaternion next = AtArc(q_i, {0, 0.6, 0.8}, arc_rad);
+    EXPECT_LT(Difference(SquadControl(previous, q_i, next), FormulaControl(previous, q_i, next)),
+              kRounding)
+        << "arc " << arc_rad;
+    EXPECT_LT(Difference(SquadControl(next, q_i, previous), FormulaControl(next, q_i, previous)),
+              kRounding)
+        << "arc " << arc_rad;
+  }
+}
+
+// The borders of the implementation's branches from both sides, as of slerp; a knot that is its own
+// neighbour, or its neighbour's opposite.
+INSTANTIATE_TEST_SUITE_P(Cosines, SquadControlAcross,
+                         testing::Values(1.0, 1 - 1.9999e-4, 1 - 2.0001e-4, 0.995 + 1e-12,
+                                         0.995 - 1e-12, 0.965 + 1e-12, 0.965 - 1e-12, 0.88 + 1e-12,
+                                         0.88 - 1e-12, 0.7 + 1e-12, 0.7 - 1e-12, 0.1, -0.1, -0.7,
+                                         -0.99999, -1.0));
 
 RC_GTEST_PROP(Squad, IsEquation4, ()) {
   const std::vector<Quaternion> q = Knots(4);
@@ -199,58 +231,92 @@ RC_GTEST_PROP(Squad, IsEquation4, ()) {
   RC_ASSERT(Difference(Squad(q[0], q[1], q[2], q[3], t), expected) < kArcCosineOfShortArcs);
 }
 
+using ThreePoints = std::array<SpherePoint, 3>;
+
 // Three arcs of any lengths up to a right angle, so that each alone would take a branch of its own.
 struct ThreeArcs {
-  JointRotations from;
-  JointRotations to;
+  ThreePoints from;
+  ThreePoints to;
+  std::array<double, 3> lengths{};
+
+  [[nodiscard]] Arcs Measured() { return MeasuredArcs(from, to, lengths); }
 };
 
-ThreeArcs AnyThreeArcs() {
-  ThreeArcs arcs;
-  for (std::size_t k = 0; k < arcs.from.size(); ++k) {
-    arcs.from[k] = *UnitQuaternion();
-    const double longest_rad = *rc::gen::element(0.0, 1e-9, 1e-3, 0.04, 0.2, 0.3, kPi / 2);
-    arcs.to[k] = AtArc(arcs.from[k], *Direction(), *NumberWithin(0, longest_rad));
+ThreeArcs AnyThreeArcsFrom(const ThreePoints& from) {
+  ThreeArcs arcs{from, {}};
+  for (std::size_t k = 0; k < from.size(); ++k) {
+    const double longest_rad = *rc::gen::element(0.0, 1e-9, 0.02, 0.1, 0.26, 0.5, 0.8, kPi / 2);
+    arcs.to[k] =
+        SpherePoint(AtArc(from[k].quaternion(), *Direction(), *NumberWithin(0, longest_rad)));
   }
   return arcs;
 }
 
-RC_GTEST_PROP(Slerp, OfThreeIsThatOfEachAlone, ()) {
-  const ThreeArcs arcs = AnyThreeArcs();
+ThreeArcs AnyThreeArcs() {
+  const auto any = [] { return SpherePoint(*UnitQuaternion()); };
+  return AnyThreeArcsFrom({any(), any(), any()});
+}
+
+RC_GTEST_PROP(Arcs, OfThreeAreSlerpsOfEachAlone, ()) {
+  ThreeArcs arcs = AnyThreeArcs();
   const double t = *NumberWithin(0, 1);
-  const JointRotations together = Slerp(arcs.from, arcs.to, t);
+  ThreePoints together;
+  arcs.Measured().At(t, together);
   for (std::size_t k = 0; k < together.size(); ++k) {
-    RC_ASSERT(Difference(together[k], Slerp(arcs.from[k], arcs.to[k], t)) < kRounding);
+    const Quaternion alone = Slerp(arcs.from[k].quaternion(), arcs.to[k].quaternion(), t);
+    RC_ASSERT(Difference(together[k].quaternion(), alone) < kRounding);
   }
 }
 
-RC_GTEST_PROP(Slerp, OfThreeStartsAndEndsExactly, ()) {
-  const ThreeArcs arcs = AnyThreeArcs();
-  RC_ASSERT(Slerp(arcs.from, arcs.to, 0) == arcs.from);
-  RC_ASSERT(Slerp(arcs.from, arcs.to, 1) == arcs.to);
+RC_GTEST_PROP(Arcs, StartAndEndExactly, ()) {
+  ThreeArcs arcs = AnyThreeArcs();
+  ThreePoints start;
+  ThreePoints end;
+  arcs.Measured().At(0, start);
+  arcs.Measured().At(1, end);
+  for (std::size_t k = 0; k < start.size(); ++k) {
+    RC_ASSERT(start[k].quaternion() == arcs.from[k].quaternion());
+    RC_ASSERT(end[k].quaternion() == arcs.to[k].quaternion());
+  }
+}
+
+RC_GTEST_PROP(Arcs, OfAPartAreThoseOfTheWhole, ()) {
+  ThreeArcs arcs = AnyThreeArcs();
+  const double t = *NumberWithin(0, 1);
+  ThreePoints whole;
+  std::array<SpherePoint, 2> part;
+  arcs.Measured().At(t, whole);
+  arcs.Measured().Part(1, 2).At(t, part);
+  RC_ASSERT(part[0].quaternion() == whole[1].quaternion());
+  RC_ASSERT(part[1].quaternion() == whole[2].quaternion());
 }
 
 RC_GTEST_PROP(SquadControl, OfThreeIsThatOfEachAlone, ()) {
-  const ThreeArcs before = AnyThreeArcs();
-  const ThreeArcs after = AnyThreeArcs();
-  const JointRotations together = SquadControl(before.from, before.to, after.to);
+  ThreeArcs before = AnyThreeArcs();
+  ThreeArcs after = AnyThreeArcsFrom(before.to);
+  ThreePoints together;
+  SquadControl(before.Measured(), after.Measured(), together);
   for (std::size_t k = 0; k < together.size(); ++k) {
-    RC_ASSERT(together[k] == SquadControl(before.from[k], before.to[k], after.to[k]));
+    const Quaternion alone = SquadControl(before.from[k].quaternion(), after.from[k].quaternion(),
+                                          after.to[k].quaternion());
+    RC_ASSERT(Difference(together[k].quaternion(), alone) < kRounding);
   }
 }
 
 RC_GTEST_PROP(Squad, OfThreeIsThatOfEachAlone, ()) {
-  const ThreeArcs knots = AnyThreeArcs();
-  ThreeArcs controls = knots;
-  for (std::size_t k = 0; k < knots.from.size(); ++k) {
-    controls.from[k] = AtArc(knots.from[k], *Direction(), *NumberWithin(0, 0.1));
-    controls.to[k] = AtArc(knots.to[k], *Direction(), *NumberWithin(0, 0.1));
-  }
+  ThreeArcs knots = AnyThreeArcs();
+  const auto near = [](const SpherePoint& q) {
+    return SpherePoint(AtArc(q.quaternion(), *Direction(), *NumberWithin(0, 0.1)));
+  };
+  ThreeArcs controls{{near(knots.from[0]), near(knots.from[1]), near(knots.from[2])},
+                     {near(knots.to[0]), near(knots.to[1]), near(knots.to[2])}};
   const double t = *NumberWithin(0, 1);
-  const JointRotations together = Squad(knots.from, knots.to, controls.from, controls.to, t);
+  ThreePoints together;
+  Squad<3>(knots.Measured(), controls.Measured(), t, together);
   for (std::size_t k = 0; k < together.size(); ++k) {
-    RC_ASSERT(Difference(together[k], Squad(knots.from[k], knots.to[k], controls.from[k],
-                                            controls.to[k], t)) < kRounding);
+    const Quaternion alone = Squad(knots.from[k].quaternion(), knots.to[k].quaternion(),
+                                   controls.from[k].quaternion(), controls.to[k].quaternion(), t);
+    RC_ASSERT(Difference(together[k].quaternion(), alone) < kRounding);
   }
 }
 
