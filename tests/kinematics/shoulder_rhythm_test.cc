@@ -386,12 +386,14 @@ RC_GTEST_PROP(ShoulderRhythm, SaysThatACommandWithinTheTableIsNotClamped, ()) {
 class StrangeCommand : public testing::TestWithParam<ArmCommand> {};
 
 TEST_P(StrangeCommand, GivesUnitQuaternions) {
-  for (const Interpolation interpolation : {Interpolation::kSquad, Interpolation::kSlerp}) {
-    const auto joints = Joints(Rhythm(interpolation).Solve(GetParam()).pose);
+  static const ShoulderRhythm kSmooth(TableOf(MeasuredRows()));
+  for (const ShoulderRhythm* rhythm :
+       {&kSmooth, &Rhythm(Interpolation::kSquad), &Rhythm(Interpolation::kSlerp)}) {
+    const auto joints = Joints(rhythm->Solve(GetParam()).pose);
     for (std::size_t joint = 0; joint < kJointCount; ++joint) {
       // A NaN is not near 1 either.
       EXPECT_NEAR(glm::length(joints[joint]), 1, kRounding)
-          << kJointNames[joint] << " by " << Name(interpolation);
+          << kJointNames[joint] << " by " << Name(rhythm->options().interpolation);
     }
   }
 }
@@ -562,8 +564,10 @@ TEST(ShoulderRhythm, TakesPlanesALittleLessThanHalfATurnApart) {
   EXPECT_NO_THROW(ShoulderRhythm(TurningTable({179, 179}), AsPublished(Interpolation::kSquad)));
 }
 
-TEST(ShoulderRhythm, GivesTheSameBitsFromTwoThreadsAtOnce) {
-  const ShoulderRhythm& rhythm = Rhythm(Interpolation::kSquad);
+class TwoThreads : public testing::TestWithParam<Interpolation> {};
+
+TEST_P(TwoThreads, GiveTheSameBits) {
+  const ShoulderRhythm rhythm(TableOf(MeasuredRows()), {GetParam(), Closure::kExact, std::nullopt});
   constexpr int kCommands = 20000;
   const auto command = [](int i) {
     return Command_deg(10 + 0.0055 * i, 0.0045 * ((i * 7919) % kCommands), 0.01 * (i % 100));
@@ -584,6 +588,10 @@ TEST(ShoulderRhythm, GivesTheSameBitsFromTwoThreadsAtOnce) {
     ASSERT_TRUE(SameBits(second.at(i).pose, alone[i].pose)) << "command " << i;
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Words, TwoThreads,
+                         testing::Values(Interpolation::kSmooth, Interpolation::kSquad),
+                         [](const auto& tested) { return std::string(Name(tested.param)); });
 
 TEST(ShoulderRhythm, KeepsItsTableAndOptions) {
   const RhythmTable table = TableOf(MeasuredRows());
