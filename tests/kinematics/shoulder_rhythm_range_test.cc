@@ -185,6 +185,22 @@ TEST(WholeRange, HoldsTheTurnHighUp) {
   }
 }
 
+// A raised arm turns with its plane, so that the ISB axial angle stays; a hanging one does not.
+TEST(WholeRange, TurnsTheHumerusWithThePlaneFarBesideTheTable) {
+  // What is left of the table's own slope 35 deg and more beyond it.
+  constexpr double kFaded_deg = 0.05;
+  const auto turned_deg = [](double elevation_deg, double from_deg, double to_deg) {
+    return Turn_deg(PoseAt_deg(elevation_deg, to_deg), elevation_deg, to_deg) -
+           Turn_deg(PoseAt_deg(elevation_deg, from_deg), elevation_deg, from_deg);
+  };
+  for (const double elevation_deg : {20.0, 30.0, 60.0, 90.0, 110.0}) {
+    const double share = std::sin(RadiansFromDegrees(std::min(elevation_deg, 90.0)));
+    EXPECT_NEAR(turned_deg(elevation_deg, 125, 135), 10 * share, kFaded_deg) << elevation_deg;
+    if (elevation_deg > 60) continue;
+    EXPECT_NEAR(turned_deg(elevation_deg, -50, -60), -10 * share, kFaded_deg) << elevation_deg;
+  }
+}
+
 TEST(WholeRange, ReachesExactlyWhatIsCommanded) {
   double elevation_off_deg = 0;
   double plane_off_deg = 0;
