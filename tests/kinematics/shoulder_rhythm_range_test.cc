@@ -605,29 +605,34 @@ INSTANTIATE_TEST_SUITE_P(
                     BoundedCoordinate{kGhAxialIndex, &ArmCommand::axial_rad, 1}),
     [](const auto& tested) { return std::string(kCoordinateNames.at(tested.param.k)); });
 
-// A rhythm outside its range may be brought back and is not pushed.
+// A rhythm outside its range may be brought back and is not pushed: 10 deg beyond a range 20 deg
+// wide, above it and below it.
 TEST_P(BoundedBy, ARhythmOutsideItsRangeIsOnlyBroughtBack) {
-  const auto& [k, asked, sign] = GetParam();
+  const BoundedCoordinate& bounded = GetParam();
   const ArmCommand plain = Command_deg(60, 40);
-  const double plain_rad = AnglesFromPose(Whole().SolvePose(plain)).at(k);
-  JointRanges ranges = ShoulderRhythm::Unbounded();
-  // The rhythm is 10 deg above its range, which is 20 deg wide.
-  ranges.at(k) = {plain_rad - RadiansFromDegrees(30), plain_rad - RadiansFromDegrees(10)};
-  const ShoulderRhythm rhythm(TableOf(MeasuredRows()), {}, ranges);
-  const auto used_deg = [&, member = asked, direction = sign](double added_deg) {
-    ArmCommand command = plain;
-    command.*member = direction * RadiansFromDegrees(added_deg);
-    const ShoulderSolution solution = rhythm.Solve(command);
-    const double added_rad = AnglesFromPose(solution.pose).at(GetParam().k) - plain_rad;
-    EXPECT_NEAR(DegreesFromRadians(added_rad),
-                DegreesFromRadians(direction * (solution.used.*member)), kRounding_deg);
-    return DegreesFromRadians(added_rad);
-  };
-  EXPECT_EQ(Apart_rad(rhythm.SolvePose(plain), Whole().SolvePose(plain)), 0);
-  EXPECT_NEAR(used_deg(5), 0, kRounding_deg);
-  EXPECT_NEAR(used_deg(-5), -5, kRounding_deg);
-  EXPECT_NEAR(used_deg(-20), -20, kRounding_deg);
-  EXPECT_NEAR(used_deg(-40), -30, kRounding_deg);
+  const double plain_rad = AnglesFromPose(Whole().SolvePose(plain)).at(bounded.k);
+  const double near_rad = RadiansFromDegrees(10);
+  const double far_rad = RadiansFromDegrees(30);
+  for (const double side : {1.0, -1.0}) {
+    JointRanges ranges = ShoulderRhythm::Unbounded();
+    ranges.at(bounded.k) = {plain_rad - (side > 0 ? far_rad : -near_rad),
+                            plain_rad - (side > 0 ? near_rad : -far_rad)};
+    const ShoulderRhythm rhythm(TableOf(MeasuredRows()), {}, ranges);
+    // What is added to the coordinate, outward +.
+    const auto added_deg = [&](double asked_deg) {
+      ArmCommand command = plain;
+      command.*bounded.asked = bounded.sign * side * RadiansFromDegrees(asked_deg);
+      const ShoulderSolution solution = rhythm.Solve(command);
+      const double added_rad = AnglesFromPose(solution.pose).at(bounded.k) - plain_rad;
+      EXPECT_NEAR(added_rad, bounded.sign * (solution.used.*bounded.asked), 1e-12);
+      return side * DegreesFromRadians(added_rad);
+    };
+    EXPECT_EQ(Apart_rad(rhythm.SolvePose(plain), Whole().SolvePose(plain)), 0);
+    EXPECT_NEAR(added_deg(5), 0, kRounding_deg);
+    EXPECT_NEAR(added_deg(-5), -5, kRounding_deg);
+    EXPECT_NEAR(added_deg(-20), -20, kRounding_deg);
+    EXPECT_NEAR(added_deg(-40), -30, kRounding_deg);
+  }
 }
 
 }  // namespace
