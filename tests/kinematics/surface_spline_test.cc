@@ -251,7 +251,8 @@ RC_GTEST_PROP(SurfaceSpline, HasPartialsThatFollowFromLowerOnes, ()) {
       // The lower one is rounded to 1e-16 of its size, over a step of 1e-6.
       const auto near = [&](double derivative, double difference) {
         const double lower = std::abs(sample.surface.Partial(at, i, j)[0]);
-        return std::abs(derivative - difference) < 1e-7 * (1 + lower + std::abs(derivative));
+        const double size = std::pow(20.0, static_cast<double>(i + j));  // of what sums to it
+        return std::abs(derivative - difference) < 1e-7 * (size + lower + std::abs(derivative));
       };
       RC_ASSERT(near(sample.surface.Partial(at, i + 1, j)[0], by_elevation));
       RC_ASSERT(near(sample.surface.Partial(at, i, j + 1)[0], by_plane));
