@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -126,6 +128,59 @@ TEST(RhythmTable, RefusesAPublishedScapulaAngleAboveHalfATurn) {
   parts.positions[3].scapulothoracic_rad = Vector3(0.1, RadiansFromDegrees(181), 0.2);
   EXPECT_THROW(static_cast<void>(parts.Build()), std::invalid_argument);
 }
+
+struct CellCase {
+  double elevation_deg;
+  double plane_deg;
+  std::size_t elevation_index;
+  std::size_t plane_index;
+};
+
+void PrintTo(const CellCase& cell, std::ostream* out) {
+  *out << "elevation " << cell.elevation_deg << ", plane " << cell.plane_deg;
+}
+
+// Planes 0, 40, 90; elevations 15, 20, 30, 60.
+RhythmTable UnevenTable() {
+  const auto radians = [](std::vector<double> knots_deg) {
+    for (double& knot : knots_deg) knot = RadiansFromDegrees(knot);
+    return knots_deg;
+  };
+  return {radians({0, 40, 90}), radians({15, 20, 30, 60}), std::vector<RhythmPosition>(12)};
+}
+
+class CellOf : public testing::TestWithParam<CellCase> {};
+
+// Where the place is, by its cell and weights, and the nearest of the grid to what was asked.
+TEST_P(CellOf, APlaceHoldsIt) {
+  const RhythmTable table = UnevenTable();
+  const CellCase& at = GetParam();
+  const RhythmCell cell =
+      table.CellAt(RadiansFromDegrees(at.elevation_deg), RadiansFromDegrees(at.plane_deg));
+  EXPECT_EQ(cell.elevation_index, at.elevation_index);
+  EXPECT_EQ(cell.plane_index, at.plane_index);
+  const auto place_deg = [](const std::vector<double>& knots_rad, std::size_t i, double weight) {
+    return DegreesFromRadians(knots_rad.at(i) + weight * (knots_rad.at(i + 1) - knots_rad.at(i)));
+  };
+  const auto nearest_deg = [](double asked_deg, double lowest_deg, double highest_deg) {
+    return std::isnan(asked_deg) ? lowest_deg : std::clamp(asked_deg, lowest_deg, highest_deg);
+  };
+  EXPECT_NEAR(place_deg(table.elevations_rad(), cell.elevation_index, cell.elevation_weight),
+              nearest_deg(at.elevation_deg, 15, 60), 1e-12);
+  EXPECT_NEAR(place_deg(table.planes_rad(), cell.plane_index, cell.plane_weight),
+              nearest_deg(at.plane_deg, 0, 90), 1e-12);
+}
+
+// theta_i < theta <= theta_i+1 (6), psi_j < psi <= psi_j+1 (7); the lowest knots belong to the
+// first cells.
+INSTANTIATE_TEST_SUITE_P(Places, CellOf,
+                         testing::Values(CellCase{15, 0, 0, 0}, CellCase{20, 40, 0, 0},
+                                         CellCase{20.000001, 40.000001, 1, 1},
+                                         CellCase{45, 65, 2, 1}, CellCase{60, 90, 2, 1},
+                                         CellCase{14, -1, 0, 0}, CellCase{61, 91, 2, 1},
+                                         CellCase{1e300, -1e300, 2, 0},
+                                         CellCase{kInfinity, -kInfinity, 2, 0},
+                                         CellCase{kNan, 65, 0, 1}, CellCase{45, kNan, 2, 0}));
 
 }  // namespace
 }  // namespace girdle

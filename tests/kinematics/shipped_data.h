@@ -85,6 +85,20 @@ inline RhythmTable TableOf(const std::vector<MeasuredRow>& rows) {
   return {planes_rad, elevations_rad, positions};
 }
 
+/// data/joint_ranges.csv, in the order of kCoordinateNames.
+inline JointRanges ShippedJointRanges() {
+  JointRanges ranges{};
+  const auto rows = ShippedRows("joint_ranges.csv");
+  for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+    if (rows.at(k).at(0) != kCoordinateNames.at(k)) {
+      throw std::runtime_error("data/joint_ranges.csv has other rows than expected");
+    }
+    ranges[k] = {RadiansFromDegrees(std::stod(rows.at(k).at(1))),
+                 RadiansFromDegrees(std::stod(rows.at(k).at(2)))};
+  }
+  return ranges;
+}
+
 /// data/landmarks.csv by name, each in the frame of its segment [m].
 inline std::map<std::string, Vector3> ShippedLandmarks() {
   std::map<std::string, Vector3> landmarks_m;

@@ -90,6 +90,36 @@ RC_GTEST_PROP(ShoulderPose, ChainsTheJointsFromTheThoraxOutward, ()) {
   RC_ASSERT(Difference(Product(R_TS, JointMatrix(2, angles_rad)), pose.q_TH()) < kRounding);
 }
 
+// "GH's axial angle in (-5 pi/4, 3 pi/4]", whatever the signs of the quaternions.
+RC_GTEST_PROP(JointAngles, LieInTheirRangesAndGiveThePoseBack, ()) {
+  const ShoulderPose pose{*UnitQuaternion(), *UnitQuaternion(), *UnitQuaternion()};
+  const JointAngles angles_rad = AnglesFromPose(pose);
+  for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+    const double middle_rad = k == kGhAxialIndex ? kGhAxialMiddle_rad : 0;
+    const double half_width_rad = k % 3 == 1 ? kPi / 2 : kPi;
+    RC_ASSERT(std::abs(angles_rad[k] - middle_rad) <= half_width_rad + kRounding);
+  }
+  const ShoulderPose back = PoseFromAngles(angles_rad);
+  RC_ASSERT(AngleBetween(back.q_TC, pose.q_TC) < kAngleRounding_rad);
+  RC_ASSERT(AngleBetween(back.q_CS, pose.q_CS) < kAngleRounding_rad);
+  RC_ASSERT(AngleBetween(back.q_SH, pose.q_SH) < kAngleRounding_rad);
+}
+
+class AxialAngle : public testing::TestWithParam<double> {};
+
+// Over -180 deg the angle goes on; it leaps at -225 and 135.
+TEST_P(AxialAngle, OfGhIsGivenAroundItsMiddle) {
+  JointAngles angles_rad{};
+  angles_rad[6] = -0.5;
+  angles_rad[7] = 0.3;
+  angles_rad[kGhAxialIndex] = RadiansFromDegrees(GetParam());
+  EXPECT_NEAR(DegreesFromRadians(AnglesFromPose(PoseFromAngles(angles_rad))[kGhAxialIndex]),
+              GetParam(), 1e-12);
+}
+
+INSTANTIATE_TEST_SUITE_P(Angles, AxialAngle,
+                         testing::Values(-224.9, -190.0, -180.0, -179.9, -45.0, 0.0, 60.0, 134.9));
+
 RC_GTEST_PROP(ArmAngles, OfARaisedArmAreThoseThatRaisedIt, ()) {
   // The plane of an arm this close to vertical is worth 1e-16 / 0.01.
   constexpr double kMargin_rad = 0.01;

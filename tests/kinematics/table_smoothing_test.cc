@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -55,8 +56,11 @@ RhythmTable TableOfSeries(const std::vector<double>& elevations_rad, const Joint
   std::vector<RhythmPosition> positions;
   for (int plane = 0; plane < 2; ++plane) {
     for (std::size_t i = 0; i < elevations_rad.size(); ++i) {
-      positions.emplace_back().angles_rad =
-          AnglesFromPose({series[0][i], series[1][i], series[2][i]});
+      JointAngles& angles_rad = positions.emplace_back().angles_rad;
+      angles_rad = AnglesFromPose({series[0][i], series[1][i], series[2][i]});
+      // A table has it within half a turn.
+      double& axial_rad = angles_rad[kGhAxialIndex];
+      axial_rad = std::clamp(std::remainder(axial_rad, 2 * kPi), -kPi, kPi);
     }
   }
   return {{0, RadiansFromDegrees(40)}, elevations_rad, positions};

@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "kinematics/arm_directions.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <limits>
+#include <ostream>
+
+#include "kinematics/random_rotations.h"
+#include "kinematics/shoulder_pose.h"
+
+namespace girdle {
+namespace {
+
+// A few dozen roundings of numbers of size one.
+constexpr double kRounding = 1e-14;
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+struct LimitCase {
+  double elevation_deg;
+  double plane_deg;
+  double slope;
+};
+
+void PrintTo(const LimitCase& limit, std::ostream* out) {
+  *out << "elevation " << limit.elevation_deg;
+}
+
+class LowestPlaneOf : public testing::TestWithParam<LimitCase> {};
+
+// "-60 up to elevation 60, a straight line to -30 at 85, -30 above."
+TEST_P(LowestPlaneOf, AnElevationIsTheStatedLine) {
+  const LowestPlane lowest = LowestPlaneAt(RadiansFromDegrees(GetParam().elevation_deg));
+  EXPECT_NEAR(DegreesFromRadians(lowest.plane_rad), GetParam().plane_deg, 1e-12);
+  EXPECT_NEAR(lowest.slope, GetParam().slope, kRounding);
+}
+
+INSTANTIATE_TEST_SUITE_P(Elevations, LowestPlaneOf,
+                         testing::Values(LimitCase{0, -60, 0}, LimitCase{59.9, -60, 0},
+                                         LimitCase{65, -54, 1.2}, LimitCase{72.5, -45, 1.2},
+                                         LimitCase{80, -36, 1.2}, LimitCase{85.1, -30, 0},
+                                         LimitCase{120, -30, 0}, LimitCase{180, -30, 0}));
+
+RC_GTEST_PROP(LowestPlane, ChangesByItsSlope, ()) {
+  constexpr double kStep_rad = 1e-6;
+  const double elevation_rad = *NumberWithin(0, kPi);
+  // Not over one of the two corners.
+  for (const double corner_deg : {60, 85}) {
+    RC_PRE(std::abs(elevation_rad - RadiansFromDegrees(corner_deg)) > 2 * kStep_rad);
+  }
+  const double difference_rad = LowestPlaneAt(elevation_rad + kStep_rad).plane_rad -
+                                LowestPlaneAt(elevation_rad - kStep_rad).plane_rad;
+  // Differences of angles of one radian are off by 1e-16 over the step.
+  RC_ASSERT(std::abs(difference_rad / (2 * kStep_rad) - LowestPlaneAt(elevation_rad).slope) < 1e-9);
+}
+
+TEST(LowestPlane, OfANanIsTheLowestOfAll) {
+  EXPECT_NEAR(LowestPlaneAt(kNan).plane_rad, RadiansFromDegrees(-60), kRounding);
+  EXPECT_EQ(LowestPlaneAt(kNan).slope, 0);
+}
+
+ArmRectangle Rectangle_deg(double lowest, double highest, double first, double last) {
+  return {RadiansFromDegrees(lowest), RadiansFromDegrees(highest), RadiansFromDegrees(first),
+          RadiansFromDegrees(last)};
+}
+
+TEST(ArmRectangle, HoldsItsEdges) {
+  const ArmRectangle rectangle{0.25, 2, 0, 1.5};
+  EXPECT_TRUE(rectangle.Holds(0.25, 0));
+  EXPECT_TRUE(rectangle.Holds(2, 1.5));
+  EXPECT_FALSE(rectangle.Holds(std::nextafter(0.25, 0), 0));
+  EXPECT_FALSE(rectangle.Holds(2, std::nextafter(1.5, 2)));
+  EXPECT_FALSE(rectangle.Holds(std::nextafter(2, 3), 1));
+  EXPECT_FALSE(rectangle.Holds(1, -1e-300));
+}
+
+TEST(ArmRectangle, DoesNotHoldANan) {
+  const ArmRectangle rectangle{0.25, 2, 0, 1.5};
+  EXPECT_FALSE(rectangle.Holds(kNan, 1));
+  EXPECT_FALSE(rectangle.Holds(1, kNan));
+}
+
+// Where the elbow lies, seen from GH.
+Vector3 ArmDirection(double elevation_rad, double plane_rad) {
+  return {std::sin(elevation_rad) * std::sin(plane_rad), -std::cos(elevation_rad),
+          std::sin(elevation_rad) * std::cos(plane_rad)};
+}
+
+double AngleBetweenDirections(const Vector3& a, const Vector3& b) {
+  return 2 * std::atan2(glm::length(a - b), glm::length(a + b));
+}
+
+// The nearest of many directions of the rectangle's border.
+double NearestOfManyRad(const ArmRectangle& rectangle, const Vector3& direction) {
+  constexpr int kCount = 3000;
+  double nearest_rad = kPi;
+  for (int i = 0; i <= kCount; ++i) {
+    const auto within = [i](double first, double last) {
+      return first + (last - first) * i / kCount;
+    };
+    const double elevation_rad =
+        within(rectangle.lowest_elevation_rad, rectangle.highest_elevation_rad);
+    const double plane_rad = within(rectangle.first_plane_rad, rectangle.last_plane_rad);
+    for (const Vector3& other : {ArmDirection(elevation_rad, rectangle.first_plane_rad),
+                                 ArmDirection(elevation_rad, rectangle.last_plane_rad),
+                                 ArmDirection(rectangle.lowest_elevation_rad, plane_rad),
+                                 ArmDirection(rectangle.highest_elevation_rad, plane_rad)}) {
+      nearest_rad = std::min(nearest_rad, AngleBetweenDirections(direction, other));
+    }
+  }
+  return nearest_rad;
+}
+
+RC_GTEST_PROP(AngleFromRectangle, IsThatOfTheNearestOfManyDirections, ()) {
+  // Border directions are at most 180 / 3000 deg apart; the nearest is off by the square of half
+  // of it, or by half of it where the distance is near zero.
+  constexpr double kTolerance_rad = 0.5 * kPi / 3000;
+  const double lowest = *NumberWithin(0, 80);
+  const double first = *NumberWithin(-90, 90);
+  const ArmRectangle rectangle =
+      Rectangle_deg(lowest, *NumberWithin(lowest, 180), first, first + *NumberWithin(0, 170));
+  const double elevation_rad = *NumberWithin(0, kPi);
+  const double plane_rad = *NumberWithin(-kPi, kPi);
+  const double distance_rad = AngleFromRectangle(rectangle, elevation_rad, plane_rad);
+  const double middle_rad = (rectangle.first_plane_rad + rectangle.last_plane_rad) / 2;
+  const double turned_rad = middle_rad + std::remainder(plane_rad - middle_rad, 2 * kPi);
+  if (rectangle.Holds(elevation_rad, turned_rad)) {
+    RC_ASSERT(distance_rad == 0);
+    return;
+  }
+  const double nearest_rad = NearestOfManyRad(rectangle, ArmDirection(elevation_rad, plane_rad));
+  RC_ASSERT(distance_rad < nearest_rad + 1e-9);
+  RC_ASSERT(distance_rad > nearest_rad - kTolerance_rad);
+}
+
+struct DistanceCase {
+  const char* name;
+  double elevation_deg;
+  double plane_deg;
+  double distance_deg;
+};
+
+void PrintTo(const DistanceCase& distance, std::ostream* out) { *out << distance.name; }
+
+class DistanceFromTheTable : public testing::TestWithParam<DistanceCase> {};
+
+TEST_P(DistanceFromTheTable, IsTheAngleOfTheDirections) {
+  const ArmRectangle table = Rectangle_deg(15, 120, 0, 90);
+  EXPECT_NEAR(
+      DegreesFromRadians(AngleFromRectangle(table, RadiansFromDegrees(GetParam().elevation_deg),
+                                            RadiansFromDegrees(GetParam().plane_deg))),
+      GetParam().distance_deg, 1e-12);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Directions, DistanceFromTheTable,
+    testing::Values(DistanceCase{"inside", 60, 40, 0}, DistanceCase{"on a corner", 120, 90, 0},
+                    DistanceCase{"hanging, whatever the plane", 0, -170, 15},
+                    DistanceCase{"straight up, whatever the plane", 180, -170, 60},
+                    DistanceCase{"a level arm behind", 90, -20, 20},
+                    DistanceCase{"a level arm across", 90, 135, 45},
+                    DistanceCase{"a whole turn on", 90, 405, 0},
+                    DistanceCase{"a whole turn back", 90, -380, 20},
+                    DistanceCase{"an elevation below 0 counts as 0", -3, 40, 15},
+                    DistanceCase{"an elevation above 180 counts as 180", 190, 40, 60},
+                    DistanceCase{"a hair beyond", 90, 90.000001, 0.000001}));
+
+RC_GTEST_PROP(HumerusRotation, PointsWhereItIsTold, ()) {
+  const double theta_rad = *NumberWithin(0, kPi);
+  const double psi_rad = *NumberWithin(-kPi, kPi);
+  const double tau_rad = *NumberWithin(-kPi, kPi);
+  const auto q = HumerusRotation(theta_rad, psi_rad, tau_rad);
+  const Quaternion q_TH(q.w, q.x, q.y, q.z);
+  RC_ASSERT(glm::length(q_TH * Vector3(0, -1, 0) - ArmDirection(theta_rad, psi_rad)) < kRounding);
+}
+
+// The smallest rotation has its axis across both directions, and a turn by tau about y is first.
+RC_GTEST_PROP(HumerusRotation, IsTheSmallestRotationThereAfterTheTurn, ()) {
+  const double theta_rad = *NumberWithin(0, kPi);
+  const double psi_rad = *NumberWithin(-kPi, kPi);
+  const double tau_rad = *NumberWithin(-kPi, kPi);
+  const Vector3 axis(-std::cos(psi_rad), 0, std::sin(psi_rad));
+  const Quaternion expected = Exp(theta_rad * axis) * Exp(Vector3(0, tau_rad, 0));
+  const auto q = HumerusRotation(theta_rad, psi_rad, tau_rad);
+  RC_ASSERT(AngleBetween({q.w, q.x, q.y, q.z}, expected) < kRounding);
+}
+
+RC_GTEST_PROP(HumerusRotation, HasTheIsbAnglesThatTheHeaderSays, ()) {
+  const double theta_rad = *NumberWithin(0, kPi);
+  const double psi_rad = *NumberWithin(-kPi, kPi);
+  const double tau_rad = *NumberWithin(-kPi, kPi);
+  const auto q = HumerusRotation(theta_rad, psi_rad, tau_rad);
+  const Quaternion expected =
+      QuaternionFromEuler(EulerSequence::kYXY, {psi_rad, -theta_rad, tau_rad - psi_rad});
+  RC_ASSERT(AngleBetween({q.w, q.x, q.y, q.z}, expected) < kRounding);
+}
+
+}  // namespace
+}  // namespace girdle

@@ -1,0 +1,639 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+/// Where the arm goes, inside and outside the table, with the closure exact.
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <glm/gtc/quaternion.hpp>
+#include <limits>
+#include <optional>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "kinematics/arm_commands.h"
+#include "kinematics/random_rotations.h"
+#include "kinematics/shipped_data.h"
+#include "kinematics/shoulder_rhythm.h"
+
+namespace girdle {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// A few dozen roundings of angles of some hundred degrees.
+constexpr double kRounding_deg = 1e-9;
+
+const ShoulderRhythm& Whole() {
+  static const ShoulderRhythm kRhythm(TableOf(MeasuredRows()));
+  return kRhythm;
+}
+
+ShoulderPose PoseAt_deg(double elevation_deg, double plane_deg) {
+  return Whole().SolvePose(Command_deg(elevation_deg, plane_deg));
+}
+
+double LowestPlane_deg(double elevation_deg) {
+  return DegreesFromRadians(LowestPlaneAt(RadiansFromDegrees(elevation_deg)).plane_rad);
+}
+
+bool Reaches(double elevation_deg, double plane_deg) {
+  return plane_deg >= LowestPlane_deg(elevation_deg) - kRounding_deg;
+}
+
+// Every whole degree that an arm can reach.
+void ForEachReachable(const std::function<void(double, double)>& visit) {
+  for (int elevation_deg = 0; elevation_deg <= 180; ++elevation_deg) {
+    for (int plane_deg = -60; plane_deg <= 135; ++plane_deg) {
+      if (Reaches(elevation_deg, plane_deg)) visit(elevation_deg, plane_deg);
+    }
+  }
+}
+
+// A command that an arm can follow.
+rc::Gen<ArmCommand> ReachableCommand() {
+  return rc::gen::exec([] {
+    const double elevation_deg = *NumberWithin(0, 180);
+    return Command_deg(elevation_deg, *NumberWithin(LowestPlane_deg(elevation_deg), 135));
+  });
+}
+
+struct CheckValue {
+  double elevation_deg;
+  double plane_deg;
+  Vector3 sc_deg;
+  Vector3 ac_deg;
+  Vector3 st_deg;
+  double tolerance_deg;
+};
+
+void PrintTo(const CheckValue& check, std::ostream* out) {
+  *out << "elevation " << check.elevation_deg << ", plane " << check.plane_deg;
+}
+
+class CheckedPosition : public testing::TestWithParam<CheckValue> {};
+
+TEST_P(CheckedPosition, IsWhereTheRuleSays) {
+  const CheckValue& check = GetParam();
+  const ShoulderPose pose = PoseAt_deg(check.elevation_deg, check.plane_deg);
+  const auto near = [&](const Quaternion& q, const Vector3& expected_deg, const char* name) {
+    const Vector3 angles_deg = kDegreesPerRadian * EulerFromQuaternion(EulerSequence::kYXZ, q);
+    for (int k = 0; k < 3; ++k) {
+      EXPECT_NEAR(angles_deg[k], expected_deg[k], check.tolerance_deg) << name << " " << k;
+    }
+  };
+  near(pose.q_TC, check.sc_deg, "SC");
+  near(pose.q_CS, check.ac_deg, "AC");
+  near(pose.q_TS(), check.st_deg, "ST");
+}
+
+// Computed from the rule apart from this code, by another spline of the table, and printed to
+// tenths. Below the table the rule starts from the edge slope, in which splines differ most.
+constexpr double kPrinted_deg = 0.06;
+constexpr double kNearAnEdgeSlope_deg = 0.6;
+
+INSTANTIATE_TEST_SUITE_P(
+    Values, CheckedPosition,
+    testing::Values(
+        CheckValue{10,
+                   0,
+                   {-25.3, -12.0, -0.6},
+                   {55.1, -4.3, -4.7},
+                   {31.0, -10.6, -15.0},
+                   kNearAnEdgeSlope_deg},
+        CheckValue{10,
+                   90,
+                   {-19.8, -9.4, -2.8},
+                   {57.7, -8.3, -3.6},
+                   {39.3, -10.8, -13.2},
+                   kNearAnEdgeSlope_deg},
+        CheckValue{
+            135, 0, {-45.8, -20.0, 29.4}, {62.4, -18.0, 17.1}, {27.0, -52.3, 8.6}, kPrinted_deg},
+        CheckValue{
+            150, 40, {-40.8, -17.6, 33.5}, {64.1, -16.1, 14.8}, {31.0, -53.4, 10.8}, kPrinted_deg},
+        CheckValue{
+            165, 90, {-47.2, -17.4, 37.6}, {65.3, -19.3, 22.6}, {26.4, -60.2, 19.3}, kPrinted_deg},
+        CheckValue{
+            60, -30, {-38.5, -17.1, 8.6}, {60.6, -11.9, 6.7}, {27.5, -27.3, -5.4}, kPrinted_deg},
+        CheckValue{
+            90, 105, {-20.8, -13.4, 14.0}, {66.8, -15.5, 7.5}, {51.1, -33.2, -0.7}, kPrinted_deg},
+        CheckValue{
+            90, 135, {-10.7, -13.4, 14.0}, {70.1, -15.5, 7.6}, {65.0, -32.8, -1.9}, kPrinted_deg},
+        CheckValue{120,
+                   135,
+                   {-19.7, -14.3, 25.1},
+                   {70.3, -15.5, 12.3},
+                   {57.6, -43.5, 4.8},
+                   kPrinted_deg}));
+
+// The turn of the humerus about its long axis: what is left of q_TH = S Ry(tau).
+double Turn_deg(const ShoulderPose& pose, double elevation_deg, double plane_deg) {
+  const double plane_rad = RadiansFromDegrees(plane_deg);
+  const Vector3 axis(-std::cos(plane_rad), 0, std::sin(plane_rad));
+  const Quaternion smallest = Exp(RadiansFromDegrees(elevation_deg) * axis);
+  return DegreesFromRadians(Log(glm::conjugate(smallest) * pose.q_TH()).y);
+}
+
+struct TurnValue {
+  double elevation_deg;
+  double plane_deg;
+  double turn_deg;
+};
+
+void PrintTo(const TurnValue& turn, std::ostream* out) {
+  *out << "elevation " << turn.elevation_deg << ", plane " << turn.plane_deg;
+}
+
+class CheckedTurn : public testing::TestWithParam<TurnValue> {};
+
+TEST_P(CheckedTurn, IsTheTablesOwn) {
+  constexpr double kPrintedWhole_deg = 0.5;
+  const TurnValue& check = GetParam();
+  EXPECT_NEAR(Turn_deg(PoseAt_deg(check.elevation_deg, check.plane_deg), check.elevation_deg,
+                       check.plane_deg),
+              check.turn_deg, kPrintedWhole_deg);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Values, CheckedTurn,
+    testing::Values(TurnValue{15, 0, -23}, TurnValue{30, 0, -36}, TurnValue{60, 0, -43},
+                    TurnValue{90, 0, -47}, TurnValue{120, 0, -48}, TurnValue{15, 40, 4},
+                    TurnValue{30, 40, -8}, TurnValue{60, 40, -11}, TurnValue{90, 40, -13},
+                    TurnValue{120, 40, -20}, TurnValue{15, 90, 26}, TurnValue{30, 90, 25},
+                    TurnValue{60, 90, 24}, TurnValue{90, 90, 24}, TurnValue{120, 90, 11}));
+
+// "To tau0 = 2.3, the mean of the planes."
+TEST(WholeRange, TurnsAHangingHumerusByTheMeanOfThePlanes) {
+  EXPECT_NEAR(Turn_deg(PoseAt_deg(0, 40), 0, 40), 2.3, 0.05);
+}
+
+// "q exp(v), v from w x ..., tau: above 120 held, with the edge slope faded out."
+TEST(WholeRange, HoldsTheTurnHighUp) {
+  for (const double plane_deg : Steps(-30, 135, 33)) {
+    EXPECT_NEAR(Turn_deg(PoseAt_deg(136, plane_deg), 136, plane_deg),
+                Turn_deg(PoseAt_deg(120, plane_deg), 120, plane_deg), kRounding_deg)
+        << plane_deg;
+  }
+}
+
+// A raised arm turns with its plane, so that the ISB axial angle stays; a hanging one does not.
+TEST(WholeRange, TurnsTheHumerusWithThePlaneFarBesideTheTable) {
+  // What is left of the table's own slope 35 deg and more beyond it.
+  constexpr double kFaded_deg = 0.05;
+  const auto turned_deg = [](double elevation_deg, double from_deg, double to_deg) {
+    return Turn_deg(PoseAt_deg(elevation_deg, to_deg), elevation_deg, to_deg) -
+           Turn_deg(PoseAt_deg(elevation_deg, from_deg), elevation_deg, from_deg);
+  };
+  for (const double elevation_deg : {20.0, 30.0, 60.0, 90.0, 110.0}) {
+    const double share = std::sin(RadiansFromDegrees(std::min(elevation_deg, 90.0)));
+    EXPECT_NEAR(turned_deg(elevation_deg, 125, 135), 10 * share, kFaded_deg) << elevation_deg;
+    if (elevation_deg > 60) continue;
+    EXPECT_NEAR(turned_deg(elevation_deg, -50, -60), -10 * share, kFaded_deg) << elevation_deg;
+  }
+}
+
+TEST(WholeRange, ReachesExactlyWhatIsCommanded) {
+  double elevation_off_deg = 0;
+  double plane_off_deg = 0;
+  ForEachReachable([&](double elevation_deg, double plane_deg) {
+    const ArmAngles arm = ArmAnglesFromRotation(PoseAt_deg(elevation_deg, plane_deg).q_TH());
+    const double elevation_off = std::abs(DegreesFromRadians(arm.elevation_rad) - elevation_deg);
+    const double plane_off = std::abs(DegreesFromRadians(arm.plane_rad) - plane_deg);
+    elevation_off_deg = std::max(elevation_off_deg, elevation_off);
+    if (elevation_deg > 0 && elevation_deg < 180) {
+      plane_off_deg = std::max(plane_off_deg, plane_off);
+    }
+  });
+  EXPECT_LT(elevation_off_deg, kRounding_deg);
+  EXPECT_LT(plane_off_deg, kRounding_deg);
+}
+
+TEST(WholeRange, HasOnePoseHangingWhateverThePlane) {
+  const ShoulderPose hanging = PoseAt_deg(0, 0);
+  for (int plane_deg = -60; plane_deg <= 135; ++plane_deg) {
+    EXPECT_LT(DegreesFromRadians(Apart_rad(PoseAt_deg(0, plane_deg), hanging)), kRounding_deg)
+        << plane_deg;
+  }
+}
+
+TEST(WholeRange, HasOneGirdleAndOneDirectionStraightUpWhateverThePlane) {
+  const ShoulderPose upright = PoseAt_deg(180, 0);
+  for (int plane_deg = -30; plane_deg <= 135; ++plane_deg) {
+    const ShoulderPose pose = PoseAt_deg(180, plane_deg);
+    EXPECT_LT(DegreesFromRadians(AngleBetween(pose.q_TC, upright.q_TC)), kRounding_deg);
+    EXPECT_LT(DegreesFromRadians(AngleBetween(pose.q_CS, upright.q_CS)), kRounding_deg);
+    const Vector3 direction = pose.q_TH() * Vector3(0, -1, 0);
+    EXPECT_NEAR(direction.y, 1, 1e-14);
+    EXPECT_NEAR(direction.x, 0, 1e-14);
+    EXPECT_NEAR(direction.z, 0, 1e-14);
+  }
+}
+
+// Where the rule ends: the postures of hanging and of straight up, as they are stated.
+TEST(WholeRange, EndsInTheStatedPostures) {
+  const auto angles_deg = [](const Quaternion& q) {
+    return kDegreesPerRadian * EulerFromQuaternion(EulerSequence::kYXZ, q);
+  };
+  const auto near = [](const Vector3& a, const Vector3& b) {
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(a[k], b[k], kRounding_deg);
+  };
+  near(angles_deg(PoseAt_deg(0, 30).q_TC), {-21.5, -9.5, -2});
+  near(angles_deg(PoseAt_deg(0, 30).q_CS), {55, -5, -6});
+  near(angles_deg(PoseAt_deg(180, 30).q_TC), {-54, -21, 37});
+  near(angles_deg(PoseAt_deg(180, 30).q_CS), {63, -23, 28});
+}
+
+// How far the bones turn in the thorax from one whole degree to the next.
+TEST(WholeRange, TurnsNoBoneFast) {
+  constexpr double kFastest = 3;
+  // Where the planes fold into one, to the first degree of the table.
+  constexpr double kFoldedTo_deg = 16;
+  constexpr double kFastestFolding = 4.5;
+  const auto bones = [](double elevation_deg, double plane_deg) {
+    const ShoulderPose pose = PoseAt_deg(elevation_deg, plane_deg);
+    return std::array{pose.q_TC, pose.q_TS(), pose.q_TH()};
+  };
+  ForEachReachable([&](double elevation_deg, double plane_deg) {
+    const double fastest = elevation_deg < kFoldedTo_deg ? kFastestFolding : kFastest;
+    const auto here = bones(elevation_deg, plane_deg);
+    const auto check = [&](double other_elevation_deg, double other_plane_deg) {
+      if (other_elevation_deg > 180 || other_plane_deg > 135 ||
+          !Reaches(other_elevation_deg, other_plane_deg)) {
+        return;
+      }
+      const auto there = bones(other_elevation_deg, other_plane_deg);
+      for (std::size_t bone = 0; bone < here.size(); ++bone) {
+        EXPECT_LT(DegreesFromRadians(AngleBetween(here[bone], there[bone])), fastest)
+            << "bone " << bone << ", elevation " << elevation_deg << ", plane " << plane_deg;
+      }
+    };
+    check(elevation_deg + 1, plane_deg);
+    check(elevation_deg, plane_deg + 1);
+  });
+}
+
+// Of the joints' coordinates, what the whole range needs.
+JointRanges Ranges() {
+  constexpr std::size_t kGhFlexionIndex = 7;
+  JointRanges ranges = ShippedJointRanges();
+  const auto hold = [&ranges](std::size_t k, double lower_deg, double upper_deg) {
+    ranges[k].lower_rad = std::min(ranges[k].lower_rad, RadiansFromDegrees(lower_deg));
+    ranges[k].upper_rad = std::max(ranges[k].upper_rad, RadiansFromDegrees(upper_deg));
+  };
+  hold(kGhFlexionIndex, -65, 80);
+  hold(kGhAxialIndex, -180, 60);
+  return ranges;
+}
+
+const ShoulderRhythm& Bounded() {
+  static const ShoulderRhythm kRhythm(TableOf(MeasuredRows()), {}, Ranges());
+  return kRhythm;
+}
+
+TEST(WholeRange, StaysInTheJointsRanges) {
+  const JointRanges ranges = Ranges();
+  ForEachReachable([&](double elevation_deg, double plane_deg) {
+    const JointAngles angles_rad = AnglesFromPose(PoseAt_deg(elevation_deg, plane_deg));
+    for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+      EXPECT_GE(angles_rad[k], ranges[k].lower_rad)
+          << kCoordinateNames[k] << ", elevation " << elevation_deg << ", plane " << plane_deg;
+      EXPECT_LE(angles_rad[k], ranges[k].upper_rad)
+          << kCoordinateNames[k] << ", elevation " << elevation_deg << ", plane " << plane_deg;
+    }
+  });
+}
+
+RC_GTEST_PROP(WholeRange, GivesUnitQuaternions, ()) {
+  for (const Quaternion& joint : Joints(Whole().SolvePose(*ReachableCommand()))) {
+    RC_ASSERT(std::abs(glm::length(joint) - 1) < 1e-14);
+  }
+}
+
+RC_GTEST_PROP(WholeRange, DoesNotClampWhatAnArmCanReach, ()) {
+  const ArmCommand command = *ReachableCommand();
+  const ShoulderSolution solution = Whole().Solve(command);
+  RC_ASSERT(!solution.clamped);
+  RC_ASSERT(solution.used == command);
+}
+
+RC_GTEST_PROP(WholeRange, SaysWhatIsModelled, ()) {
+  const ArmCommand command = *ReachableCommand();
+  const ShoulderSolution solution = Whole().Solve(command);
+  const bool inside = command.elevation_rad >= RadiansFromDegrees(15) &&
+                      command.elevation_rad <= RadiansFromDegrees(120) && command.plane_rad >= 0 &&
+                      command.plane_rad <= RadiansFromDegrees(90);
+  RC_ASSERT((solution.origin == Origin::kModelled) == !inside);
+  RC_ASSERT((solution.distance_rad > 0) == !inside);
+  RC_ASSERT(solution.distance_rad ==
+            Whole().DistanceOutside(command.elevation_rad, command.plane_rad));
+}
+
+struct ClampedCase {
+  const char* name;
+  ArmCommand command;
+  ArmCommand used;
+};
+
+void PrintTo(const ClampedCase& clamped, std::ostream* out) { *out << clamped.name; }
+
+class BeyondReach : public testing::TestWithParam<ClampedCase> {};
+
+TEST_P(BeyondReach, TheNearestReachableCommandIsUsed) {
+  const ShoulderSolution solution = Whole().Solve(GetParam().command);
+  const ArmCommand& used = GetParam().used;
+  EXPECT_NEAR(solution.used.elevation_rad, used.elevation_rad, 1e-14);
+  EXPECT_NEAR(solution.used.plane_rad, used.plane_rad, 1e-14);
+  EXPECT_EQ(solution.used.axial_rad, used.axial_rad);
+  EXPECT_EQ(solution.used.shrug_rad, used.shrug_rad);
+  EXPECT_EQ(solution.used.protraction_rad, used.protraction_rad);
+}
+
+TEST_P(BeyondReach, TheResultSaysSo) { EXPECT_TRUE(Whole().Solve(GetParam().command).clamped); }
+
+TEST_P(BeyondReach, ThePoseIsThatOfTheCommandUsed) {
+  EXPECT_LT(Apart_rad(Whole().Solve(GetParam().command).pose, Whole().Solve(GetParam().used).pose),
+            1e-13);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Commands, BeyondReach,
+    testing::Values(
+        ClampedCase{"below hanging", Command_deg(-5, 40), Command_deg(0, 40)},
+        ClampedCase{"beyond straight up", Command_deg(185, 40), Command_deg(180, 40)},
+        ClampedCase{"far across", Command_deg(60, 140), Command_deg(60, 135)},
+        ClampedCase{"behind, low", Command_deg(30, -75), Command_deg(30, -60)},
+        ClampedCase{"behind, on the slope", Command_deg(72.5, -60), Command_deg(72.5, -45)},
+        ClampedCase{"behind, high", Command_deg(100, -45), Command_deg(100, -30)},
+        ClampedCase{"both", Command_deg(-5, -75), Command_deg(0, -60)},
+        ClampedCase{"an elevation that is no number", {kNan, 0.5}, {0, 0.5}},
+        ClampedCase{"an axial turn that is no number", {1, 0.5, kNan}, {1, 0.5, 0}},
+        ClampedCase{"an infinite shrug", {1, 0.5, 0, kInfinity}, {1, 0.5, 0}},
+        ClampedCase{"a protraction that is no number", {1, 0.5, 0, 0, kNan}, {1, 0.5, 0}},
+        ClampedCase{"an infinite elevation", {kInfinity, 0.5}, {kPi, 0.5}}));
+
+// "A NaN counts as the lowest elevation or plane."
+TEST(WholeRange, TakesANanForTheLowestPlane) {
+  EXPECT_NEAR(DegreesFromRadians(Whole().Solve({1, kNan}).used.plane_rad), -60, kRounding_deg);
+}
+
+TEST(WholeRange, HasItsOutermostElevationsAndPlanes) {
+  const ArmRectangle& domain = Whole().domain();
+  EXPECT_EQ(domain.lowest_elevation_rad, 0);
+  EXPECT_EQ(domain.highest_elevation_rad, kPi);
+  EXPECT_NEAR(DegreesFromRadians(domain.first_plane_rad), -60, kRounding_deg);
+  EXPECT_NEAR(DegreesFromRadians(domain.last_plane_rad), 135, kRounding_deg);
+}
+
+TEST(ClampedRange, HasTheTablesElevationsAndPlanes) {
+  const ShoulderRhythm rhythm(TableOf(MeasuredRows()),
+                              {Interpolation::kSmooth, Closure::kExact, Range::kClamp});
+  const ArmRectangle& domain = rhythm.domain();
+  EXPECT_NEAR(DegreesFromRadians(domain.lowest_elevation_rad), 15, kRounding_deg);
+  EXPECT_NEAR(DegreesFromRadians(domain.highest_elevation_rad), 120, kRounding_deg);
+  EXPECT_NEAR(DegreesFromRadians(domain.first_plane_rad), 0, kRounding_deg);
+  EXPECT_NEAR(DegreesFromRadians(domain.last_plane_rad), 90, kRounding_deg);
+  const ShoulderSolution solution = rhythm.Solve(Command_deg(150, -20));
+  EXPECT_TRUE(solution.clamped);
+  EXPECT_EQ(Apart_rad(solution.pose, rhythm.Solve(Command_deg(120, 0)).pose), 0);
+}
+
+TEST(WholeRange, IsRefusedWhereThereIsNoRule) {
+  for (const Interpolation interpolation :
+       {Interpolation::kSmooth, Interpolation::kSquad, Interpolation::kSlerp}) {
+    for (const Closure closure : {Closure::kExact, Closure::kTable}) {
+      if (interpolation == Interpolation::kSmooth && closure == Closure::kExact) continue;
+      try {
+        const ShoulderRhythm rhythm(TableOf(MeasuredRows()),
+                                    {interpolation, closure, Range::kWhole});
+        ADD_FAILURE() << Name(interpolation) << " " << Name(closure) << " accepted";
+      } catch (const std::invalid_argument& error) {
+        EXPECT_EQ(std::string(error.what()),
+                  "the range whole needs the interpolation smooth and the closure exact: with "
+                  "others nothing is known outside the table. Choose the range clamp");
+      }
+    }
+  }
+}
+
+TEST(SmoothInterpolation, NeedsThreePlanes) {
+  std::vector<MeasuredRow> rows = MeasuredRows();
+  rows.resize(44);
+  try {
+    const ShoulderRhythm rhythm(TableOf(rows));
+    FAIL() << "accepted";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("2 planes, the smooth interpolation needs at least 3"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
+// SC and AC are the table's; the humerus is not.
+TEST(ExactClosure, PassesThroughEveryMeasuredGirdle) {
+  constexpr double kRounding_rad = 1e-12;
+  for (const Interpolation interpolation :
+       {Interpolation::kSmooth, Interpolation::kSquad, Interpolation::kSlerp}) {
+    const ShoulderRhythm rhythm(TableOf(MeasuredRows()),
+                                {interpolation, Closure::kExact, std::nullopt});
+    for (const MeasuredRow& row : MeasuredRows()) {
+      const ArmCommand command = Command_deg(row.elevation_deg, row.plane_deg);
+      const ShoulderPose measured = PoseFromAngles(Radians(row.angles_deg));
+      const ShoulderPose pose = rhythm.SolvePose(command);
+      EXPECT_LT(AngleBetween(pose.q_TC, measured.q_TC), kRounding_rad) << command;
+      EXPECT_LT(AngleBetween(pose.q_CS, measured.q_CS), kRounding_rad) << command;
+    }
+  }
+}
+
+TEST(TableClosure, PassesThroughEveryMeasuredPosition) {
+  constexpr double kRounding_rad = 1e-12;
+  const ShoulderRhythm rhythm(TableOf(MeasuredRows()),
+                              {Interpolation::kSmooth, Closure::kTable, std::nullopt});
+  for (const MeasuredRow& row : MeasuredRows()) {
+    const ArmCommand command = Command_deg(row.elevation_deg, row.plane_deg);
+    EXPECT_LT(Apart_rad(rhythm.SolvePose(command), PoseFromAngles(Radians(row.angles_deg))),
+              kRounding_rad)
+        << command;
+  }
+}
+
+// With squad and slerp, too, the girdle is that of the table and the humerus points exactly.
+RC_GTEST_PROP(ExactClosure, PointsExactlyWithEveryInterpolation, ()) {
+  const Interpolation interpolation =
+      *rc::gen::element(Interpolation::kSmooth, Interpolation::kSquad, Interpolation::kSlerp);
+  static const RhythmTable kTable = TableOf(MeasuredRows());
+  const ShoulderRhythm exact(kTable, {interpolation, Closure::kExact, std::nullopt});
+  const ShoulderRhythm table(kTable, {interpolation, Closure::kTable, std::nullopt});
+  const ArmCommand command = *InnerCommand();
+  const ShoulderPose pose = exact.SolvePose(command);
+  const ShoulderPose of_table = table.SolvePose(command);
+  const ArmAngles arm = ArmAnglesFromRotation(pose.q_TH());
+  RC_ASSERT(std::abs(arm.elevation_rad - command.elevation_rad) < 1e-12);
+  RC_ASSERT(std::abs(arm.plane_rad - command.plane_rad) < 1e-12);
+  RC_ASSERT(AngleBetween(pose.q_TC, of_table.q_TC) < 1e-14);
+  RC_ASSERT(AngleBetween(pose.q_CS, of_table.q_CS) < 1e-14);
+}
+
+RC_GTEST_PROP(WholeRange, GivesTheSamePoseWithAndWithoutTheRest, ()) {
+  ArmCommand command = *ReachableCommand();
+  if (*rc::gen::arbitrary<bool>()) {
+    command.axial_rad = *NumberWithin(-1, 1);
+    command.shrug_rad = *NumberWithin(-0.3, 0.3);
+    command.protraction_rad = *NumberWithin(-0.3, 0.3);
+  }
+  for (const ShoulderRhythm* rhythm : {&Whole(), &Bounded()}) {
+    RC_ASSERT(SameBits(rhythm->Solve(command).pose, rhythm->SolvePose(command)));
+  }
+}
+
+// What is known of where solutions come from.
+TEST(Origin, IsDerivedBesideADerivedPosition) {
+  const RhythmTable shipped = TableOf(MeasuredRows());
+  std::vector<RhythmPosition> positions;
+  for (std::size_t j = 0; j < 3; ++j) {
+    for (std::size_t i = 0; i < 22; ++i) {
+      positions.push_back(shipped.position(j, i));
+      positions.back().measured = i >= 3;
+    }
+  }
+  const ShoulderRhythm rhythm(
+      RhythmTable(shipped.planes_rad(), shipped.elevations_rad(), positions));
+  const auto origin = [&](double elevation_deg, double plane_deg) {
+    return rhythm.Solve(Command_deg(elevation_deg, plane_deg)).origin;
+  };
+  EXPECT_EQ(origin(20, 10), Origin::kDerived);
+  EXPECT_EQ(origin(29.9, 40), Origin::kDerived);
+  EXPECT_EQ(origin(30, 40), Origin::kMeasured);
+  EXPECT_EQ(origin(30.1, 50), Origin::kMeasured);
+  EXPECT_EQ(origin(15, 0), Origin::kDerived);
+  EXPECT_EQ(origin(14.9, 0), Origin::kModelled);
+  EXPECT_EQ(origin(120.1, 0), Origin::kModelled);
+}
+
+double Coordinate_deg(const ShoulderPose& pose, std::size_t k) {
+  return DegreesFromRadians(AnglesFromPose(pose).at(k));
+}
+
+RC_GTEST_PROP(Offsets, TurnTheClaviclesAnglesAndKeepTheScapulaOnIt, ()) {
+  ArmCommand command = *ReachableCommand();
+  const ShoulderPose plain = Whole().SolvePose(command);
+  command.shrug_rad = *NumberWithin(-0.5, 0.5);
+  command.protraction_rad = *NumberWithin(-0.5, 0.5);
+  const ShoulderSolution solution = Whole().Solve(command);
+  const JointAngles before_rad = AnglesFromPose(plain);
+  const JointAngles after_rad = AnglesFromPose(solution.pose);
+  RC_ASSERT(!solution.clamped);
+  RC_ASSERT(std::abs(after_rad[0] - before_rad[0] - command.protraction_rad) < 1e-13);
+  RC_ASSERT(std::abs(after_rad[1] - before_rad[1] + command.shrug_rad) < 1e-13);
+  RC_ASSERT(std::abs(after_rad[2] - before_rad[2]) < 1e-13);
+  RC_ASSERT(AngleBetween(solution.pose.q_CS, plain.q_CS) < 1e-14);
+  // The arm keeps its direction and its turn.
+  RC_ASSERT(AngleBetween(solution.pose.q_TH(), plain.q_TH()) < 1e-13);
+}
+
+TEST(Offsets, RaiseTheClaviclesOuterEndByAShrugAndBringItForwardByAProtraction) {
+  const Vector3 outward(0, 0, 1);
+  const Vector3 plain = PoseAt_deg(30, 40).q_TC * outward;
+  const Vector3 shrugged = Whole().SolvePose(Command_deg(30, 40, 0, 10)).q_TC * outward;
+  const Vector3 protracted = Whole().SolvePose(Command_deg(30, 40, 0, 0, 10)).q_TC * outward;
+  EXPECT_GT(shrugged.y, plain.y + 0.1);
+  EXPECT_GT(protracted.x, plain.x + 0.1);
+}
+
+RC_GTEST_PROP(AxialTurn, AddsToTheGhAxialAngleAlone, ()) {
+  ArmCommand command = *ReachableCommand();
+  const JointAngles before_rad = AnglesFromPose(Whole().SolvePose(command));
+  command.axial_rad = *NumberWithin(-1, 1);
+  const JointAngles after_rad = AnglesFromPose(Whole().SolvePose(command));
+  for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+    const double added_rad = k == kGhAxialIndex ? command.axial_rad : 0;
+    RC_ASSERT(std::abs(std::remainder(after_rad[k] - before_rad[k] - added_rad, 2 * kPi)) < 1e-12);
+  }
+}
+
+struct BoundedCoordinate {
+  std::size_t k;
+  double ArmCommand::*asked;
+  double sign;  ///< of the coordinate by the command
+};
+
+void PrintTo(const BoundedCoordinate& bounded, std::ostream* out) {
+  *out << kCoordinateNames.at(bounded.k);
+}
+
+class BoundedBy : public testing::TestWithParam<BoundedCoordinate> {};
+
+// What is used ends at the range; the rest of the command is used whole.
+TEST_P(BoundedBy, TheJointsRangeSaysHowMuchIsUsed) {
+  const auto& [k, asked, sign] = GetParam();
+  const CoordinateRange range = Ranges().at(k);
+  for (const auto& [elevation_deg, plane_deg] :
+       {std::array{5.0, 20.0}, std::array{60.0, 40.0}, std::array{90.0, -20.0},
+        std::array{100.0, 120.0}, std::array{150.0, 40.0}}) {
+    const ArmCommand plain = Command_deg(elevation_deg, plane_deg);
+    const double plain_rad = AnglesFromPose(Bounded().SolvePose(plain)).at(k);
+    for (const double added_deg : {-100.0, -20.0, -5.0, 5.0, 20.0, 100.0}) {
+      ArmCommand command = plain;
+      command.*asked = sign * RadiansFromDegrees(added_deg);
+      const ShoulderSolution solution = Bounded().Solve(command);
+      const double wanted_rad = plain_rad + RadiansFromDegrees(added_deg);
+      const double reached_rad = std::clamp(wanted_rad, range.lower_rad, range.upper_rad);
+      EXPECT_NEAR(Coordinate_deg(solution.pose, k), DegreesFromRadians(reached_rad), kRounding_deg)
+          << command;
+      EXPECT_NEAR(sign * (solution.used.*asked), reached_rad - plain_rad, 1e-12) << command;
+      EXPECT_EQ(solution.clamped, reached_rad != wanted_rad) << command;
+      ArmCommand rest = solution.used;
+      rest.*asked = command.*asked;
+      EXPECT_EQ(rest, command);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Coordinates, BoundedBy,
+    testing::Values(BoundedCoordinate{0, &ArmCommand::protraction_rad, 1},
+                    BoundedCoordinate{1, &ArmCommand::shrug_rad, -1},
+                    BoundedCoordinate{kGhAxialIndex, &ArmCommand::axial_rad, 1}),
+    [](const auto& tested) { return std::string(kCoordinateNames.at(tested.param.k)); });
+
+// A rhythm outside its range may be brought back and is not pushed: 10 deg beyond a range 20 deg
+// wide, above it and below it.
+TEST_P(BoundedBy, ARhythmOutsideItsRangeIsOnlyBroughtBack) {
+  const BoundedCoordinate& bounded = GetParam();
+  const ArmCommand plain = Command_deg(60, 40);
+  const double plain_rad = AnglesFromPose(Whole().SolvePose(plain)).at(bounded.k);
+  const double near_rad = RadiansFromDegrees(10);
+  const double far_rad = RadiansFromDegrees(30);
+  for (const double side : {1.0, -1.0}) {
+    JointRanges ranges = ShoulderRhythm::Unbounded();
+    ranges.at(bounded.k) = {plain_rad - (side > 0 ? far_rad : -near_rad),
+                            plain_rad - (side > 0 ? near_rad : -far_rad)};
+    const ShoulderRhythm rhythm(TableOf(MeasuredRows()), {}, ranges);
+    // What is added to the coordinate, outward +.
+    const auto added_deg = [&](double asked_deg) {
+      ArmCommand command = plain;
+      command.*bounded.asked = bounded.sign * side * RadiansFromDegrees(asked_deg);
+      const ShoulderSolution solution = rhythm.Solve(command);
+      const double added_rad = AnglesFromPose(solution.pose).at(bounded.k) - plain_rad;
+      EXPECT_NEAR(added_rad, bounded.sign * (solution.used.*bounded.asked), 1e-12);
+      return side * DegreesFromRadians(added_rad);
+    };
+    EXPECT_EQ(Apart_rad(rhythm.SolvePose(plain), Whole().SolvePose(plain)), 0);
+    EXPECT_NEAR(added_deg(5), 0, kRounding_deg);
+    EXPECT_NEAR(added_deg(-5), -5, kRounding_deg);
+    EXPECT_NEAR(added_deg(-20), -20, kRounding_deg);
+    EXPECT_NEAR(added_deg(-40), -30, kRounding_deg);
+  }
+}
+
+}  // namespace
+}  // namespace girdle
