@@ -82,7 +82,7 @@ template <std::size_t N, typename C, typename L>
   }
 }
 
-/// Angle of the point (x, y) as std::atan2, to 3 units in the last place; a signed zero counts as
+/// Angle of the point (x, y) as std::atan2, to 4 units in the last place; a signed zero counts as
 /// plus, and the point (0, 0) has the angle 0.
 [[nodiscard]] Pair Atan2(Pair y, Pair x) noexcept;
 
@@ -91,7 +91,7 @@ namespace pair_detail {
 // atan(t z) = 2 sum (-1)^k p^(2k+1) / (2k+1) T_(2k+1)(z), t = tan(2a), p = tan(a), for -1 <= z <= 1
 // and T the Chebyshev polynomials (generating function of the arc tangent). With 2a = pi/8 the
 // first term left out is below 1e-17.
-inline constexpr std::size_t kArcTangentTerms = 11;
+inline constexpr std::size_t kArcTangentTerms = 12;
 inline constexpr double kTangentOfEighth = 0.41421356237309504880;     // tan(pi/8) = sqrt(2) - 1
 inline constexpr double kTangentOfSixteenth = 0.19891236737965800691;  // tan(pi/16)
 

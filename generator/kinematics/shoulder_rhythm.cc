@@ -101,17 +101,26 @@ VectorOf<T> EulerJets(EulerSequence sequence, const QuaternionOf<T>& q_AB) noexc
                                          : EulerAngles(q.w, q.x, q.z, q.y);
 }
 
+// An angle with what is added to it of what was to be added. Where its range stops it, it stays.
+template <int Order>
+Jet<double, Order> Added(const Jet<double, Order>& angle_rad, double used_rad,
+                         double wanted_rad) noexcept {
+  const Jet<double, Order> sum = angle_rad + Jet<double, Order>(used_rad);
+  return used_rad == wanted_rad || used_rad == 0 ? sum : Jet<double, Order>(sum.part[kValue]);
+}
+
 // The clavicle with its offsets: Ry(a + protraction) Rx(b - shrug) Rz(c).
 template <int Order>
 QuaternionOf<Jet<Pair, Order>> WithOffsetsOf(const QuaternionOf<Jet<Pair, Order>>& q_TC_CS,
-                                             const ArmCommand& used) noexcept {
+                                             const ArmCommand& used,
+                                             const ArmCommand& wanted) noexcept {
   if (used.shrug_rad == 0 && used.protraction_rad == 0) {
     return q_TC_CS;
   }
   using T = Jet<double, Order>;
   const VectorOf<T> angles = EulerJets(EulerSequence::kYXZ, Element(q_TC_CS, 0));
-  const T y = 0.5 * (angles[0] + T(used.protraction_rad));
-  const T x = 0.5 * (angles[1] - T(used.shrug_rad));
+  const T y = 0.5 * Added(angles[0], used.protraction_rad, wanted.protraction_rad);
+  const T x = 0.5 * Added(angles[1], -used.shrug_rad, -wanted.shrug_rad);
   const T z = 0.5 * angles[2];
   const QuaternionOf<T> q_TC = QuaternionOf<T>{Cos(y), T(0.0), Sin(y), T(0.0)} *
                                QuaternionOf<T>{Cos(x), Sin(x), T(0.0), T(0.0)} *
@@ -127,6 +136,18 @@ QuaternionOf<Jet<Pair, Order>> WithOffsetsOf(const QuaternionOf<Jet<Pair, Order>
   replace_first(offset.y, q_TC.y);
   replace_first(offset.z, q_TC.z);
   return offset;
+}
+
+// GH with its axial turn.
+template <int Order>
+QuaternionOf<Jet<double, Order>> WithAxialOf(const QuaternionOf<Jet<double, Order>>& q_SH,
+                                             const ArmCommand& used,
+                                             const ArmCommand& wanted) noexcept {
+  if (used.axial_rad == 0) {
+    return q_SH;
+  }
+  const Jet<double, Order> angle_rad = EulerJets(EulerSequence::kXZY, q_SH)[2];
+  return q_SH * AboutYOf(Added(angle_rad, used.axial_rad, wanted.axial_rad) - angle_rad);
 }
 
 }  // namespace
@@ -247,26 +268,56 @@ Origin ShoulderRhythm::OriginOf(const RhythmCell& cell, bool outside) const noex
   return Origin::kMeasured;
 }
 
-Quaternion ShoulderRhythm::WithOffsets(const Quaternion& q_TC, ArmCommand& used) const noexcept {
-  Vector3 angles_rad = EulerFromQuaternion(kJointSequences[0], q_TC);
-  used.protraction_rad = Bounded(angles_rad.x, used.protraction_rad, ranges_[0]);
-  used.shrug_rad = -Bounded(angles_rad.y, -used.shrug_rad, ranges_[1]);
-  angles_rad.x += used.protraction_rad;
-  angles_rad.y -= used.shrug_rad;
-  return QuaternionFromEuler(kJointSequences[0], angles_rad);
+Quaternion ShoulderRhythm::Closed(const ShoulderPose& pose, const Quaternion& q_TH) noexcept {
+  return glm::conjugate(pose.q_TS()) * q_TH;
 }
 
-// A turn about the humerus's own y comes last in X-Z'-Y'': it adds to the axial angle.
-void ShoulderRhythm::BoundAxial(ShoulderPose& pose, ArmCommand& used) const noexcept {
-  const CoordinateRange& range = ranges_[kGhAxialIndex];
-  const double angle_rad = AnglesFromPose(pose)[kGhAxialIndex];
-  if (angle_rad >= range.lower_rad && angle_rad <= range.upper_rad) {
+void ShoulderRhythm::AddOffsets(ShoulderPose& pose, ArmCommand& used) const noexcept {
+  const ShoulderPose rhythm = pose;
+  const Quaternion q_TH = pose.q_TH();
+  const Vector3 angles_rad = EulerFromQuaternion(kJointSequences[0], pose.q_TC);
+  used.protraction_rad = Bounded(angles_rad.x, used.protraction_rad, ranges_[0]);
+  used.shrug_rad = -Bounded(angles_rad.y, -used.shrug_rad, ranges_[1]);
+  // The pose with a share of the offsets.
+  const auto offset_by = [&](double share) {
+    ShoulderPose moved = rhythm;
+    moved.q_TC = QuaternionFromEuler(
+        kJointSequences[0], angles_rad + share * Vector3(used.protraction_rad, -used.shrug_rad, 0));
+    if (options_.closure == Closure::kExact) {
+      moved.q_SH = Closed(moved, q_TH);
+    }
+    return moved;
+  };
+  pose = offset_by(1);
+  if (KeepsGhWithin(pose, rhythm)) {
     return;
   }
-  const double without_rad = angle_rad - used.axial_rad;
-  const double bounded_rad = Bounded(without_rad, used.axial_rad, range);
-  pose.q_SH = pose.q_SH * AboutY(bounded_rad - used.axial_rad);
-  used.axial_rad = bounded_rad;
+  // GH, which makes up for the girdle, stops it: as much as there is room for.
+  double possible = 0;
+  double impossible = 1;
+  constexpr int kHalvings = 50;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = (possible + impossible) / 2;
+    (KeepsGhWithin(offset_by(middle), rhythm) ? possible : impossible) = middle;
+  }
+  used.protraction_rad *= possible;
+  used.shrug_rad *= possible;
+  pose = offset_by(1);
+}
+
+// Where the rhythm itself is outside, it may not go further.
+bool ShoulderRhythm::KeepsGhWithin(const ShoulderPose& pose,
+                                   const ShoulderPose& rhythm) const noexcept {
+  constexpr double kRounding_rad = 1e-12;
+  const JointAngles angles_rad = AnglesFromPose(pose);
+  const JointAngles own_rad = AnglesFromPose(rhythm);
+  for (std::size_t k = 3 * (kJointCount - 1); k < kCoordinateCount; ++k) {
+    if (angles_rad[k] < std::min(ranges_[k].lower_rad, own_rad[k]) - kRounding_rad ||
+        angles_rad[k] > std::max(ranges_[k].upper_rad, own_rad[k]) + kRounding_rad) {
+      return false;
+    }
+  }
+  return true;
 }
 
 ArmCommand ShoulderRhythm::WithinRange(const ArmCommand& command) const noexcept {
@@ -297,18 +348,17 @@ ShoulderPose ShoulderRhythm::PoseFor(ArmCommand& used) const noexcept {
       turn_rad = 2 * std::atan2(q_TH.y, q_TH.w);
     }
   }
-  if (used.shrug_rad != 0 || used.protraction_rad != 0) [[unlikely]] {
-    pose.q_TC = WithOffsets(pose.q_TC, used);
-  }
   if (exact) {
-    const QuaternionOf<double> q_TH =
-        HumerusRotation(used.elevation_rad, used.plane_rad, turn_rad + used.axial_rad);
-    pose.q_SH = glm::conjugate(pose.q_TS()) * Plain(q_TH);
-  } else if (used.axial_rad != 0) {
-    pose.q_SH = pose.q_SH * AboutY(used.axial_rad);
+    pose.q_SH = Closed(pose, Plain(HumerusRotation(used.elevation_rad, used.plane_rad, turn_rad)));
   }
+  if (used.shrug_rad != 0 || used.protraction_rad != 0) [[unlikely]] {
+    AddOffsets(pose, used);
+  }
+  // A turn about the humerus's own y comes last in X-Z'-Y'': it adds to GH's axial angle.
   if (used.axial_rad != 0) [[unlikely]] {
-    BoundAxial(pose, used);
+    used.axial_rad =
+        Bounded(AnglesFromPose(pose)[kGhAxialIndex], used.axial_rad, ranges_[kGhAxialIndex]);
+    pose.q_SH = pose.q_SH * AboutY(used.axial_rad);
   }
   return pose;
 }
@@ -358,22 +408,19 @@ ShoulderRhythm::Jets<Order> ShoulderRhythm::JetsFor(const ArmCommand& command) c
   // given.
   if (options_.closure == Closure::kExact) {
     const GirdleOf<Scalar> girdle = smooth_->Girdle<Scalar>(place.elevation_rad, place.plane_rad);
-    jets.q_TC_CS = WithOffsetsOf(girdle.q_TC_CS, used);
+    jets.q_TC_CS = WithOffsetsOf(girdle.q_TC_CS, used, command);
     Scalar theta(place.elevation_rad);
     Scalar psi(place.plane_rad);
     theta.part[kByElevation] = 1;
     psi.part[kByPlane] = 1;
     jets.q_SH = Inverse(Element(jets.q_TC_CS, 0) * Element(jets.q_TC_CS, 1)) *
-                HumerusRotation(theta, psi, girdle.turn_rad + Scalar(used.axial_rad));
+                HumerusRotation(theta, psi, girdle.turn_rad);
   } else {
     const JointsOf<Scalar> joints = smooth_->Joints<Scalar>(place.elevation_rad, place.plane_rad);
-    jets.q_TC_CS = WithOffsetsOf(joints.q_TC_CS, used);
+    jets.q_TC_CS = WithOffsetsOf(joints.q_TC_CS, used, command);
     jets.q_SH = joints.q_SH;
-    if (used.axial_rad != 0) {
-      const Quaternion axial = AboutY(used.axial_rad);
-      jets.q_SH = jets.q_SH * QuaternionOf<double>{axial.w, axial.x, axial.y, axial.z};
-    }
   }
+  jets.q_SH = WithAxialOf(jets.q_SH, used, command);
   if (place.elevation_slope != 1 || place.plane_slope != 1) {
     const auto chain = [&place](auto& q) {
       for (auto* component : {&q.w, &q.x, &q.y, &q.z}) {

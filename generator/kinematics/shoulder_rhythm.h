@@ -58,7 +58,7 @@ struct RhythmOptions {
   Interpolation interpolation = Interpolation::kSmooth;
   Closure closure = Closure::kExact;
   /// Nothing stands for whole where there is a rule for it, with smooth and exact, else clamp.
-  std::optional<Range> range;
+  std::optional<Range> range = std::nullopt;
 };
 
 /// The range that options without one stand for.
@@ -154,8 +154,9 @@ class ShoulderRhythm {
   explicit ShoulderRhythm(RhythmTable table, RhythmOptions options = {},
                           const JointRanges& ranges = Unbounded());
 
-  /// Returns the pose for a command. Total: outside the range its nearest point is used, and a NaN
-  /// counts as the lowest elevation or plane and as no axial turn or offset.
+  /// Returns the pose for a command. Total: outside the range its nearest point is used, a NaN
+  /// counts as the lowest elevation or plane, and an axial turn or offset that is not finite as
+  /// none.
   ///
   /// With squad or slerp: equations (4) to (12). Offsets turn the clavicle's angles; the scapula
   /// keeps its place on the clavicle, and with closure exact the arm its direction.
@@ -168,7 +169,7 @@ class ShoulderRhythm {
   /// Returns the pose with its derivatives by the elevation and plane commanded, exact but for
   /// rounding; nothing unless the interpolation is smooth. Where the command is clamped the pose
   /// does not change with it, and where a bound or a change of the rule's form makes a kink it is
-  /// one of the two.
+  /// one of the two. Where it is GH's range that bounds the offsets they count as constant.
   [[nodiscard]] std::optional<ShoulderRates> SolveRates(const ArmCommand& command) const noexcept;
   [[nodiscard]] std::optional<AngleRates> SolveAngleRates(const ArmCommand& command) const noexcept;
   [[nodiscard]] std::optional<ShoulderDerivatives> SolveDerivatives(
@@ -206,10 +207,12 @@ class ShoulderRhythm {
   [[nodiscard]] ShoulderPose PoseFor(ArmCommand& used) const noexcept;
   [[nodiscard]] ArmCommand WithinRange(const ArmCommand& command) const noexcept;
   [[nodiscard]] Origin OriginOf(const RhythmCell& cell, bool outside) const noexcept;
-  /// SC and AC with the command's offsets, as far as the ranges allow; `used` says how far.
-  [[nodiscard]] Quaternion WithOffsets(const Quaternion& q_TC, ArmCommand& used) const noexcept;
-  /// GH with the command's axial turn, as far as its range allows.
-  void BoundAxial(ShoulderPose& pose, ArmCommand& used) const noexcept;
+  /// GH that brings the humerus where it has to be: q_SH = (q_TC q_CS)^-1 q_TH.
+  [[nodiscard]] static Quaternion Closed(const ShoulderPose& pose, const Quaternion& q_TH) noexcept;
+  /// Turns the clavicle as far as the ranges of SC and GH allow; `used` then says how far.
+  void AddOffsets(ShoulderPose& pose, ArmCommand& used) const noexcept;
+  [[nodiscard]] bool KeepsGhWithin(const ShoulderPose& pose,
+                                   const ShoulderPose& rhythm) const noexcept;
   template <int Order>
   struct Jets;
   template <int Order>

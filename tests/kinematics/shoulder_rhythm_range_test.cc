@@ -576,15 +576,19 @@ class BoundedBy : public testing::TestWithParam<BoundedCoordinate> {};
 TEST_P(BoundedBy, TheJointsRangeSaysHowMuchIsUsed) {
   const auto& [k, asked, sign] = GetParam();
   const CoordinateRange range = Ranges().at(k);
+  JointRanges ranges = ShoulderRhythm::Unbounded();
+  ranges.at(k) = range;
+  const ShoulderRhythm bounded(TableOf(MeasuredRows()), {}, ranges);
   for (const auto& [elevation_deg, plane_deg] :
        {std::array{5.0, 20.0}, std::array{60.0, 40.0}, std::array{90.0, -20.0},
         std::array{100.0, 120.0}, std::array{150.0, 40.0}}) {
     const ArmCommand plain = Command_deg(elevation_deg, plane_deg);
-    const double plain_rad = AnglesFromPose(Bounded().SolvePose(plain)).at(k);
-    for (const double added_deg : {-100.0, -20.0, -5.0, 5.0, 20.0, 100.0}) {
+    const double plain_rad = AnglesFromPose(bounded.SolvePose(plain)).at(k);
+    for (const double added_deg :
+         {-1000.0, -300.0, -170.0, -100.0, -20.0, -5.0, 5.0, 20.0, 100.0, 170.0, 300.0}) {
       ArmCommand command = plain;
       command.*asked = sign * RadiansFromDegrees(added_deg);
-      const ShoulderSolution solution = Bounded().Solve(command);
+      const ShoulderSolution solution = bounded.Solve(command);
       const double wanted_rad = plain_rad + RadiansFromDegrees(added_deg);
       const double reached_rad = std::clamp(wanted_rad, range.lower_rad, range.upper_rad);
       EXPECT_NEAR(Coordinate_deg(solution.pose, k), DegreesFromRadians(reached_rad), kRounding_deg)
@@ -604,6 +608,33 @@ INSTANTIATE_TEST_SUITE_P(
                     BoundedCoordinate{1, &ArmCommand::shrug_rad, -1},
                     BoundedCoordinate{kGhAxialIndex, &ArmCommand::axial_rad, 1}),
     [](const auto& tested) { return std::string(kCoordinateNames.at(tested.param.k)); });
+
+// GH makes up for the girdle, so that its ranges bound the offsets too; the arm stays where it was
+// told to be.
+TEST(ShoulderRhythm, OffsetsTakeNoJointOutOfItsRange) {
+  int stopped = 0;
+  for (const double elevation_deg : Steps(0, 180, 12)) {
+    for (const double plane_deg : Steps(-30, 135, 11)) {
+      for (const double shrug_deg : {-15.0, 0.0, 20.0, 35.0}) {
+        for (const double protraction_deg : {-25.0, 0.0, 30.0}) {
+          ArmCommand command = Command_deg(elevation_deg, plane_deg);
+          command.shrug_rad = RadiansFromDegrees(shrug_deg);
+          command.protraction_rad = RadiansFromDegrees(protraction_deg);
+          const ShoulderSolution solution = Bounded().Solve(command);
+          const JointAngles angles_rad = AnglesFromPose(solution.pose);
+          for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+            EXPECT_GE(angles_rad.at(k), Ranges().at(k).lower_rad - 1e-9) << command;
+            EXPECT_LE(angles_rad.at(k), Ranges().at(k).upper_rad + 1e-9) << command;
+          }
+          EXPECT_NEAR(ArmAnglesFromRotation(solution.pose.q_TH()).elevation_rad,
+                      solution.used.elevation_rad, 1e-9);
+          stopped += solution.used.protraction_rad != command.protraction_rad ? 1 : 0;
+        }
+      }
+    }
+  }
+  EXPECT_GT(stopped, 0);
+}
 
 // A rhythm outside its range may be brought back and is not pushed: 10 deg beyond a range 20 deg
 // wide, above it and below it.
