@@ -241,6 +241,26 @@ RC_GTEST_PROP(Derivatives, OfAnglesAreThoseOfDifferencesOfAngles, ()) {
   }
 }
 
+// What the range of the clavicle or of the axial turn stops stays where it is.
+TEST_P(Smoothness, HoldsWhereARangeBindsWhatIsAdded) {
+  JointRanges ranges = ShoulderRhythm::Unbounded();
+  for (const std::size_t k : {std::size_t{0}, std::size_t{1}, kGhAxialIndex}) {
+    ranges.at(k) = ShippedJointRanges().at(k);
+  }
+  const ShoulderRhythm rhythm(TableOf(MeasuredRows()),
+                              {Interpolation::kSmooth, GetParam(), std::nullopt}, ranges);
+  for (const auto& [asked, added_deg] :
+       {std::pair{&ArmCommand::shrug_rad, 50.0}, std::pair{&ArmCommand::protraction_rad, 80.0},
+        std::pair{&ArmCommand::protraction_rad, -80.0}, std::pair{&ArmCommand::axial_rad, 150.0},
+        std::pair{&ArmCommand::axial_rad, -170.0}}) {
+    ArmCommand command = Command_deg(62, 43);
+    command.*asked = RadiansFromDegrees(added_deg);
+    EXPECT_TRUE(rhythm.Solve(command).clamped) << command;
+    EXPECT_LT(RateError(rhythm, command), kDifferenceTolerance) << command;
+    EXPECT_LT(SecondError(rhythm, command), kSecondTolerance) << command;
+  }
+}
+
 TEST(Rates, AreOnlyOfTheSmoothInterpolation) {
   for (const Interpolation interpolation : {Interpolation::kSquad, Interpolation::kSlerp}) {
     const ShoulderRhythm rhythm(TableOf(MeasuredRows()),
