@@ -58,7 +58,7 @@ struct RhythmOptions {
   Interpolation interpolation = Interpolation::kSmooth;
   Closure closure = Closure::kExact;
   /// Nothing stands for whole where there is a rule for it, with smooth and exact, else clamp.
-  std::optional<Range> range;
+  std::optional<Range> range = std::nullopt;
 };
 
 /// The range that options without one stand for.
