@@ -108,6 +108,12 @@ double RhythmController::Control::ReadFinite(const mjModel& model,
   return std::isfinite(value) ? value : 0;
 }
 
+// The bits of the option stand for the first groups; other groups cannot be disabled.
+bool RhythmController::Servo::IsDisabled(const mjModel& model) const noexcept {
+  constexpr int kBits = 31;
+  return group >= 0 && group < kBits && ((model.opt.disableactuator >> group) & 1) != 0;
+}
+
 RhythmController::RhythmController(const mjModel& model, int instance, const RhythmConfig& config) {
   std::array<bool, kAllCommandCount> has_command{};
   std::array<bool, kCoordinateCount> has_servo{};
@@ -162,7 +168,8 @@ void RhythmController::AddServo(const mjModel& model, int actuator, std::size_t 
                    model.jnt_dofadr[joint],
                    output,
                    {model.actuator_ctrladr[actuator]},
-                   config.stiffness_N_m_per_rad[role]};
+                   config.stiffness_N_m_per_rad[role],
+                   model.actuator_group[actuator]};
   // The first hinge of SC turns the clavicle in the thorax, the last of GH the humerus.
   if (role == 0) {
     thorax_body_ = model.body_parentid[model.jnt_bodyid[joint]];
@@ -265,7 +272,7 @@ void RhythmController::Actuate(const mjModel& model, mjData& data) noexcept {
     const double force_N_m =
         servo.stiffness_N_m_per_rad * error_rad + model.dof_damping[servo.dof_address] * rates[k];
     data.actuator_force[servo.force_address] =
-        std::isfinite(force_N_m) && !aim.holds ? force_N_m : 0;
+        std::isfinite(force_N_m) && !aim.holds && !servo.IsDisabled(model) ? force_N_m : 0;
   }
   if (!sensors_.empty() && (model.opt.disableflags & mjDSBL_SENSOR) == 0 &&
       !SensorsShow(data, aim)) {

@@ -72,6 +72,9 @@ class RhythmController {
     int force_address = 0;
     Control trim;
     double stiffness_N_m_per_rad = 0;
+    int group = 0;  ///< MuJoCo leaves it to a plugin to heed option/actuatorgroupdisable
+
+    [[nodiscard]] bool IsDisabled(const mjModel& model) const noexcept;
   };
   struct Sensor {
     int address = 0;
