@@ -56,6 +56,16 @@ class BadControlTest : public FullPluginTest {
     return std::to_string(bad) + " in control " + std::to_string(control);
   }
 
+  // MuJoCo warns of what is not a number. What is infinite it takes into the control's range first,
+  // and is content.
+  static void ExpectMujocosWarning(double bad, const std::string& name) {
+    if (std::isnan(bad)) {
+      ExpectOneWarning(name);
+    } else {
+      EXPECT_EQ(TakenWarnings(), "") << name;
+    }
+  }
+
   static void ExpectOneWarning(const std::string& name) {
     const std::string warnings = TakenWarnings();
     EXPECT_NE(warnings.find("in CTRL"), std::string::npos) << name << ": " << warnings;
@@ -66,13 +76,13 @@ class BadControlTest : public FullPluginTest {
   const ShoulderRhythm rhythm_ = BuiltInRhythm();
 };
 
-TEST_F(BadControlTest, AnythingInAnyOfThemLeavesFiniteForcesAndOneWarning) {
+TEST_F(BadControlTest, AnythingInAnyOfThemLeavesFiniteForcesAndOneWarningAtMost) {
   for (const double bad : {kNan, kInfinity, -kInfinity}) {
     for (int control = 0; control < static_cast<int>(model_->nu); ++control) {
       StandStill();
       data_->ctrl[control] = bad;
       ASSERT_NO_FATAL_FAILURE(StepFinitely(0.2, NameOf(bad, control)));
-      ExpectOneWarning(NameOf(bad, control));
+      ExpectMujocosWarning(bad, NameOf(bad, control));
     }
   }
 }
@@ -154,9 +164,8 @@ TEST_F(BadControlTest, InfiniteCommandsAreThoseAtTheEndOfTheirRange) {
       const std::vector<mjtNum> expected(forces(), forces() + kPositions);
       data_->ctrl[control] = bad;
       mj_forward(model_.get(), data_.get());
-      // A rate whose own command is not at its range's end has the same force; so has all else.
       EXPECT_EQ(std::vector(forces(), forces() + kPositions), expected) << NameOf(bad, control);
-      ExpectOneWarning(NameOf(bad, control));
+      ExpectMujocosWarning(bad, NameOf(bad, control));
     }
   }
 }
@@ -174,7 +183,7 @@ TEST_F(BadControlTest, TheArmFollowsAgainOnceAllAreNumbers) {
       StepFinitely(2, NameOf(bad, control));
       // A hundred times the lag of 20 ms.
       EXPECT_LT(FarthestFrom(next_rad), 1e-9) << NameOf(bad, control);
-      ExpectOneWarning(NameOf(bad, control));
+      ExpectMujocosWarning(bad, NameOf(bad, control));
     }
   }
 }

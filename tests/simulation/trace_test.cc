@@ -37,12 +37,13 @@ TEST(Trace, EveryRowHasTheColumnsOfTheHeader) {
 TEST(Trace, HasCommandsAndDistanceInDegrees) {
   ShoulderState state;
   state.time_s = 0.5;
-  state.command = {RadiansFromDegrees(90), RadiansFromDegrees(45), RadiansFromDegrees(-15),
-                   RadiansFromDegrees(30), RadiansFromDegrees(-60)};
-  state.distance_rad = RadiansFromDegrees(7.5);
+  state.command =
+      ReplayableCommand({RadiansFromDegrees(90), RadiansFromDegrees(45), RadiansFromDegrees(22.5),
+                         RadiansFromDegrees(11.25), RadiansFromDegrees(-45)});
+  state.distance_rad = RadiansFromDegrees(90);
   std::string row;
   AppendTraceRow(row, state);
-  EXPECT_TRUE(row.starts_with("0.5,90,45,-15,30,-60,7.5,0,")) << row;
+  EXPECT_TRUE(row.starts_with("0.5,90,45,22.5,11.25,-45,90,0,")) << row;
 }
 
 TEST(ReplayableCommand, HasAllOfACommand) {
