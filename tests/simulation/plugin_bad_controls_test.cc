@@ -191,7 +191,7 @@ TEST_F(BadControlTest, TheArmFollowsAgainOnceAllAreNumbers) {
 // Without ranges for its controls a model has nothing to clamp an infinite one to.
 TEST_F(BadControlTest, InfiniteOnesWithoutRangesLeaveFiniteForcesToo) {
   for (int control = 0; control < static_cast<int>(model_->nu); ++control) {
-    model_->actuator_ctrllimited[control] = 0;
+    model_->actuator_ctrllimited[control] = false;
   }
   for (const double bad : {kInfinity, -kInfinity}) {
     for (int control = 0; control < static_cast<int>(model_->nu); ++control) {
