@@ -696,6 +696,21 @@ TEST(ShoulderModel, IsTheSameTextEveryTime) {
   EXPECT_EQ(Xml(DefaultRhythm()), ShoulderModelXml(BuiltInAnatomy(), BuiltInRhythm()));
 }
 
+// It would load, and be another rhythm's.
+TEST(ShoulderModel, RefusesToNameATableThatIsNotItsOwn) {
+  EXPECT_EQ(MessageOf<std::invalid_argument>([] {
+              static_cast<void>(Xml(PublishedRhythm(), {.table = BuiltInTable::kDestepped}));
+            }),
+            "the rhythm's table is not the built-in table destepped. Name the one that it is, or "
+            "none");
+  EXPECT_EQ(MessageOf<std::invalid_argument>([] {
+              static_cast<void>(Xml(ShoulderRhythm(OtherTable(), {}, BuiltIn().ranges),
+                                    {.table = BuiltInTable::kMeasured}));
+            }),
+            "the rhythm's table is not the built-in table measured. Name the one that it is, or "
+            "none");
+}
+
 struct Outside {
   const char* name;
   std::size_t coordinate;
