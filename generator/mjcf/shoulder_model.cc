@@ -70,6 +70,7 @@ class ShoulderModelWriter {
     if (options_.has_rates && rhythm_.options().interpolation != Interpolation::kSmooth) {
       throw std::invalid_argument("rate commands need the interpolation smooth");
     }
+    CheckTable();
     CheckRanges();
     XmlElement root = file_.root();
     root.Set("model", "girdle right shoulder");
@@ -105,6 +106,16 @@ class ShoulderModelWriter {
   }
 
  private:
+  // A model that names another table than its own would load and be wrong.
+  void CheckTable() const {
+    if (options_.table && RhythmTableToLine(rhythm_.table()) !=
+                              RhythmTableToLine(BuiltInRhythmTable(*options_.table))) {
+      throw std::invalid_argument("the rhythm's table is not the built-in table " +
+                                  std::string(Name(*options_.table)) +
+                                  ". Name the one that it is, or none");
+    }
+  }
+
   void CheckRanges() const {
     constexpr double kStep_rad = kRadiansPerDegree;
     const ArmRectangle& domain = rhythm_.domain();

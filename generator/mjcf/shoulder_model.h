@@ -35,8 +35,8 @@ struct ShoulderModelOptions {
 /// Returns the model as XML, complete in one file. Joint coordinates start where the controls' zero
 /// leads: the arm hanging, or the lowest position of a clamped rhythm. Radians, meters, kilograms;
 /// world z up, x to the front. Throws std::invalid_argument if the rhythm leaves the anatomy's
-/// joint ranges, looked for on a grid of 1 deg, or if the options ask for rates that the
-/// interpolation does not have.
+/// joint ranges, looked for on a grid of 1 deg, or if the options name a table that is not the
+/// rhythm's or ask for rates that the interpolation does not have.
 [[nodiscard]] std::string ShoulderModelXml(const Anatomy& anatomy, const ShoulderRhythm& rhythm,
                                            const ShoulderModelOptions& options = {});
 

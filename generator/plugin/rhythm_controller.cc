@@ -108,6 +108,12 @@ double RhythmController::Control::ReadFinite(const mjModel& model,
   return std::isfinite(value) ? value : 0;
 }
 
+// The bits of the option stand for the first groups; other groups cannot be disabled.
+bool RhythmController::Servo::IsDisabled(const mjModel& model) const noexcept {
+  constexpr int kBits = 31;
+  return group >= 0 && group < kBits && ((model.opt.disableactuator >> group) & 1) != 0;
+}
+
 RhythmController::RhythmController(const mjModel& model, int instance, const RhythmConfig& config) {
   std::array<bool, kAllCommandCount> has_command{};
   std::array<bool, kCoordinateCount> has_servo{};
@@ -129,8 +135,8 @@ RhythmController::RhythmController(const mjModel& model, int instance, const Rhy
   CheckTaken(kCoordinateNames, has_servo, kCoordinateCount, "servo", "joint=\"...\"");
   FindSensors(model, instance);
   const auto first_rate = has_command.begin() + kCommandCount + kOffsetCount;
-  feeds_forward_ = std::any_of(first_rate, has_command.end(), [](bool has) { return has; });
-  if (feeds_forward_ && config.options.interpolation != Interpolation::kSmooth) {
+  has_rates_ = std::any_of(first_rate, has_command.end(), [](bool has) { return has; });
+  if (has_rates_ && config.options.interpolation != Interpolation::kSmooth) {
     throw std::runtime_error(
         "there are rate commands (elevation_rate and so on), and the interpolation is " +
         std::string(Name(config.options.interpolation)) +
@@ -162,7 +168,8 @@ void RhythmController::AddServo(const mjModel& model, int actuator, std::size_t 
                    model.jnt_dofadr[joint],
                    output,
                    {model.actuator_ctrladr[actuator]},
-                   config.stiffness_N_m_per_rad[role]};
+                   config.stiffness_N_m_per_rad[role],
+                   model.actuator_group[actuator]};
   // The first hinge of SC turns the clavicle in the thorax, the last of GH the humerus.
   if (role == 0) {
     thorax_body_ = model.body_parentid[model.jnt_bodyid[joint]];
@@ -174,8 +181,7 @@ void RhythmController::AddServo(const mjModel& model, int actuator, std::size_t 
 void RhythmController::FindSensors(const mjModel& model, int instance) {
   for (int sensor = 0; sensor < model.nsensor; ++sensor) {
     if (model.sensor_type[sensor] == mjSENS_PLUGIN && model.sensor_plugin[sensor] == instance) {
-      sensors_.push_back({model.sensor_adr[sensor],
-                          model.sensor_cutoff[sensor] == 0 && model.sensor_historyadr[sensor] < 0});
+      sensors_.push_back({model.sensor_adr[sensor], model.sensor_cutoff[sensor]});
     }
   }
 }
@@ -209,7 +215,7 @@ RhythmController::Aim RhythmController::AimFor(const mjModel& model, const mjDat
   }
   if (!IsNumber(command)) {
     const ArmAngles reached = Reached(data);
-    Aim aim{{reached.elevation_rad, reached.plane_rad}, {}};
+    Aim aim{{reached.elevation_rad, reached.plane_rad}, {}, true};
     for (std::size_t k = 0; k < kCoordinateCount; ++k) {
       aim.target_rad[k] = data.qpos[servos_[k].qpos_address];
     }
@@ -221,13 +227,19 @@ RhythmController::Aim RhythmController::AimFor(const mjModel& model, const mjDat
 }
 
 // d target / dt = (d target / d elevation) elevation_rate + (d target / d plane) plane_rate; an
-// axial turn adds to the last coordinate.
+// axial turn adds to the last coordinate. A command that is held back by its range does not move.
 JointAngles RhythmController::TargetRates(const mjModel& model, const mjData& data,
-                                          const ArmCommand& command) const noexcept {
-  constexpr std::size_t kFirst = kCommandCount + kOffsetCount;
-  const double elevation_rate = commands_[kFirst].ReadFinite(model, data);
-  const double plane_rate = commands_[kFirst + 1].ReadFinite(model, data);
-  const double axial_rate = commands_[kFirst + 2].ReadFinite(model, data);
+                                          const Aim& aim) const noexcept {
+  const ArmCommand command = ReadCommand(model, data);
+  const std::array<double, kRateCount> read = {command.elevation_rad, command.plane_rad,
+                                               command.axial_rad};
+  std::array<double, kRateCount> command_rate{};
+  for (std::size_t i = 0; i < kRateCount; ++i) {
+    if (commands_[i].Raw(data) == read[i]) {
+      command_rate[i] = commands_[kCommandCount + kOffsetCount + i].ReadFinite(model, data);
+    }
+  }
+  const auto [elevation_rate, plane_rate, axial_rate] = command_rate;
   JointAngles rates{};
   if (elevation_rate != 0 || plane_rate != 0) {
     const std::optional<AngleRates> angles = rhythm_->SolveAngleRates(command);
@@ -235,25 +247,32 @@ JointAngles RhythmController::TargetRates(const mjModel& model, const mjData& da
       rates[k] = angles->by_elevation[k] * elevation_rate + angles->by_plane[k] * plane_rate;
     }
   }
-  rates[kGhAxialIndex] += axial_rate;
+  if (aim.used.axial_rad == command.axial_rad) {
+    rates[kGhAxialIndex] += axial_rate;
+  } else {
+    rates[kGhAxialIndex] = 0;  // the humerus is at the end of its range
+  }
   return rates;
+}
+
+bool RhythmController::FeedsForward(const mjModel& model) const noexcept {
+  return has_rates_ && (model.opt.disableflags & mjDSBL_DAMPER) == 0;
 }
 
 void RhythmController::Actuate(const mjModel& model, mjData& data) noexcept {
   const Aim aim = AimFor(model, data);
+  JointAngles rates{};
+  if (FeedsForward(model) && !aim.holds) {
+    rates = TargetRates(model, data, aim);
+  }
   for (std::size_t k = 0; k < kCoordinateCount; ++k) {
     const Servo& servo = servos_[k];
+    const double error_rad =
+        aim.target_rad[k] + servo.trim.ReadFinite(model, data) - data.qpos[servo.qpos_address];
     const double force_N_m =
-        servo.stiffness_N_m_per_rad *
-        (aim.target_rad[k] + servo.trim.ReadFinite(model, data) - data.qpos[servo.qpos_address]);
-    data.actuator_force[servo.force_address] = std::isfinite(force_N_m) ? force_N_m : 0;
-  }
-  if (feeds_forward_) {
-    const JointAngles rates = TargetRates(model, data, ReadCommand(model, data));
-    for (std::size_t k = 0; k < kCoordinateCount; ++k) {
-      const double force_N_m = model.dof_damping[servos_[k].dof_address] * rates[k];
-      data.actuator_force[servos_[k].force_address] += std::isfinite(force_N_m) ? force_N_m : 0;
-    }
+        servo.stiffness_N_m_per_rad * error_rad + model.dof_damping[servo.dof_address] * rates[k];
+    data.actuator_force[servo.force_address] =
+        std::isfinite(force_N_m) && !aim.holds && !servo.IsDisabled(model) ? force_N_m : 0;
   }
   if (!sensors_.empty() && (model.opt.disableflags & mjDSBL_SENSOR) == 0 &&
       !SensorsShow(data, aim)) {
@@ -267,27 +286,29 @@ void RhythmController::Sense(const mjModel& model, mjData& data) noexcept {
   const ArmAngles reached = Reached(data);
   for (const Sensor& sensor : sensors_) {
     mjtNum* values = data.sensordata + sensor.address;
-    values[sensor_layout::kReached] = reached.elevation_rad;
-    values[sensor_layout::kReached + 1] = reached.plane_rad;
+    values[sensor_layout::kReached] = sensor.Cut(reached.elevation_rad);
+    values[sensor_layout::kReached + 1] = sensor.Cut(reached.plane_rad);
   }
 }
 
 // What follows from the commands; where the arm is does not.
 void RhythmController::WriteSensors(mjData& data, const Aim& aim) const noexcept {
+  const double distance_rad = DistanceOf(data, aim);
   for (const Sensor& sensor : sensors_) {
     mjtNum* values = data.sensordata + sensor.address;
-    values[sensor_layout::kCommanded] = aim.used.elevation_rad;
-    values[sensor_layout::kCommanded + 1] = aim.used.plane_rad;
-    values[sensor_layout::kCommanded + 2] = aim.used.axial_rad;
+    values[sensor_layout::kCommanded] = sensor.Cut(aim.used.elevation_rad);
+    values[sensor_layout::kCommanded + 1] = sensor.Cut(aim.used.plane_rad);
+    values[sensor_layout::kCommanded + 2] = sensor.Cut(aim.used.axial_rad);
+    double error_rad = 0;
     for (std::size_t k = 0; k < kCoordinateCount; ++k) {
-      values[sensor_layout::kTarget + k] = aim.target_rad[k];
-      values[sensor_layout::kError + k] = aim.target_rad[k] - data.qpos[servos_[k].qpos_address];
+      error_rad = aim.target_rad[k] - data.qpos[servos_[k].qpos_address];
+      values[sensor_layout::kTarget + k] = sensor.Cut(aim.target_rad[k]);
+      values[sensor_layout::kError + k] = sensor.Cut(error_rad);
     }
-    // The axial turn reached on top of the measured one: what was commanded less what is still
-    // missing.
-    values[sensor_layout::kReached + 2] =
-        aim.used.axial_rad - values[sensor_layout::kError + kGhAxialIndex];
-    values[sensor_layout::kDistance] = DistanceOf(data, aim);
+    // The axial turn reached on top of the measured one: what was commanded less what the last
+    // coordinate is still missing.
+    values[sensor_layout::kReached + 2] = sensor.Cut(aim.used.axial_rad - error_rad);
+    values[sensor_layout::kDistance] = sensor.Cut(distance_rad);
   }
 }
 
@@ -301,14 +322,16 @@ double RhythmController::DistanceOf(const mjData& data, const Aim& aim) const no
 }
 
 bool RhythmController::SensorsShow(const mjData& data, const Aim& aim) const noexcept {
+  const double distance_rad = DistanceOf(data, aim);
   return std::all_of(sensors_.begin(), sensors_.end(), [&](const Sensor& sensor) {
     const mjtNum* values = data.sensordata + sensor.address;
-    return !sensor.is_plain || (values[sensor_layout::kCommanded] == aim.used.elevation_rad &&
-                                values[sensor_layout::kCommanded + 1] == aim.used.plane_rad &&
-                                values[sensor_layout::kCommanded + 2] == aim.used.axial_rad &&
-                                std::equal(aim.target_rad.begin(), aim.target_rad.end(),
-                                           values + sensor_layout::kTarget) &&
-                                values[sensor_layout::kDistance] == DistanceOf(data, aim));
+    return values[sensor_layout::kCommanded] == sensor.Cut(aim.used.elevation_rad) &&
+           values[sensor_layout::kCommanded + 1] == sensor.Cut(aim.used.plane_rad) &&
+           values[sensor_layout::kCommanded + 2] == sensor.Cut(aim.used.axial_rad) &&
+           values[sensor_layout::kDistance] == sensor.Cut(distance_rad) &&
+           std::equal(
+               aim.target_rad.begin(), aim.target_rad.end(), values + sensor_layout::kTarget,
+               [&sensor](double target, mjtNum value) { return value == sensor.Cut(target); });
   });
 }
 

@@ -15,7 +15,8 @@
 /// last term makes up for where the rates are commanded. Damping belongs on the hinge, where MuJoCo
 /// integrates it implicitly.
 ///
-/// A command that is not a number is none: the targets are then where the joints are.
+/// A command that is not a number is none: the targets are then where the joints are, and trims and
+/// rates count for nothing.
 ///
 /// An actuator's role is the name of model_names.h that stands last in its own name, so that
 /// `him_elevation_r` and `elevation_r` are the same. No step depends on an earlier one.
@@ -23,6 +24,7 @@
 
 #include <mujoco/mujoco.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -70,16 +72,24 @@ class RhythmController {
     int force_address = 0;
     Control trim;
     double stiffness_N_m_per_rad = 0;
+    int group = 0;  ///< MuJoCo leaves it to a plugin to heed option/actuatorgroupdisable
+
+    [[nodiscard]] bool IsDisabled(const mjModel& model) const noexcept;
   };
   struct Sensor {
     int address = 0;
-    /// MuJoCo passes its values on as they are: no cutoff, no delay.
-    bool is_plain = false;
+    double cutoff = 0;  ///< largest magnitude of a value; 0: any
+
+    /// As MuJoCo cuts what the sensor's own stage has written.
+    [[nodiscard]] double Cut(double value) const noexcept {
+      return cutoff > 0 ? std::clamp(value, -cutoff, cutoff) : value;
+    }
   };
   /// What the servos aim at.
   struct Aim {
     ArmCommand used;
     JointAngles target_rad;
+    bool holds = false;  ///< there is no command: the joints stay where they are
   };
 
   void AddCommand(const mjModel& model, int actuator, std::size_t role);
@@ -90,7 +100,8 @@ class RhythmController {
   [[nodiscard]] Aim AimFor(const mjModel& model, const mjData& data) noexcept;
   [[nodiscard]] ArmAngles Reached(const mjData& data) const noexcept;
   [[nodiscard]] JointAngles TargetRates(const mjModel& model, const mjData& data,
-                                        const ArmCommand& command) const noexcept;
+                                        const Aim& aim) const noexcept;
+  [[nodiscard]] bool FeedsForward(const mjModel& model) const noexcept;
   void WriteSensors(mjData& data, const Aim& aim) const noexcept;
   [[nodiscard]] double DistanceOf(const mjData& data, const Aim& aim) const noexcept;
   [[nodiscard]] bool SensorsShow(const mjData& data, const Aim& aim) const noexcept;
@@ -100,7 +111,7 @@ class RhythmController {
   std::vector<Sensor> sensors_;
   int thorax_body_ = 0;
   int humerus_body_ = 0;
-  bool feeds_forward_ = false;
+  bool has_rates_ = false;
   std::optional<ShoulderRhythm> rhythm_;  ///< set by the constructor
 
   /// The last command solved and its aim. Not state: the same command always has the same aim. It

@@ -158,14 +158,22 @@ class ResidualMeter {
     }
   }
 
-  // Poses everywhere, settled for some steps.
+  // Poses everywhere, to the ends of what the arm reaches, settled for some steps.
   void VisitGrid() {
     const ArmRectangle& domain = rhythm_.domain();
-    for (double elevation_rad = domain.lowest_elevation_rad;
-         elevation_rad <= domain.highest_elevation_rad; elevation_rad += kGridStep_rad) {
-      for (double plane_rad = domain.first_plane_rad; plane_rad <= domain.last_plane_rad;
-           plane_rad += kGridStep_rad) {
-        const ArmCommand command{elevation_rad, plane_rad};
+    const auto values_rad = [](double from_rad, double to_rad) {
+      constexpr double kRounding = 1e-9;  // makes no further step
+      const double steps = std::ceil((to_rad - from_rad) / kGridStep_rad - kRounding);
+      std::vector<double> values;
+      for (int i = 0; i <= static_cast<int>(steps); ++i) {
+        values.push_back(std::min(from_rad + i * kGridStep_rad, to_rad));
+      }
+      return values;
+    };
+    for (const double elevation_rad :
+         values_rad(domain.lowest_elevation_rad, domain.highest_elevation_rad)) {
+      for (const double plane_rad : values_rad(domain.first_plane_rad, domain.last_plane_rad)) {
+        const ArmCommand command = rhythm_.Solve({elevation_rad, plane_rad}).used;
         simulation_.Start(command);
         constexpr int kSteps = 5;
         for (int step = 0; step < kSteps; ++step) {
@@ -291,8 +299,8 @@ class ResidualMeter {
     lines.push_back(
         gliding_.Worst("scapulothoracic", "TS, AI to ellipsoid, worst", "mm", kGlidingWorst_mm));
     if (!modelled_gliding_.empty()) {
-      lines.push_back(modelled_gliding_.Worst(
-          "scapulothoracic", "the same outside measured data", "mm", std::nullopt));
+      lines.push_back(modelled_gliding_.Worst("scapulothoracic", "the same outside measured data",
+                                              "mm", std::nullopt));
     }
     return lines;
   }

@@ -98,14 +98,14 @@ inline double NumberOf(const tinyxml2::XMLElement& element, const char* attribut
   return NumbersOf(element, attribute).at(0);
 }
 
-inline Vector3 VectorOf(const tinyxml2::XMLElement& element, const char* attribute) {
+inline Vector3 VectorIn(const tinyxml2::XMLElement& element, const char* attribute) {
   const std::vector<double> numbers = NumbersOf(element, attribute);
   if (numbers.size() != 3) throw std::runtime_error(std::string(attribute) + " has not 3 numbers");
   return {numbers[0], numbers[1], numbers[2]};
 }
 
 /// MuJoCo's order, w x y z.
-inline Quaternion QuaternionOf(const tinyxml2::XMLElement& element, const char* attribute) {
+inline Quaternion QuaternionIn(const tinyxml2::XMLElement& element, const char* attribute) {
   const std::vector<double> numbers = NumbersOf(element, attribute);
   if (numbers.size() != 4) throw std::runtime_error(std::string(attribute) + " has not 4 numbers");
   return {numbers[0], numbers[1], numbers[2], numbers[3]};

@@ -52,14 +52,14 @@ TEST_P(SceneCamera, HasUnitAxesAtRightAngles) {
 
 TEST_P(SceneCamera, StandsWhereItsNameSays) {
   const Vector3 from_middle =
-      VectorOf(Element(), "pos") - VectorOf(Scene().Child("statistic"), "center");
+      VectorIn(Element(), "pos") - VectorIn(Scene().Child("statistic"), "center");
   EXPECT_LT(glm::length(glm::normalize(from_middle) - GetParam().from), kPrinted);
 }
 
 // A camera looks along its -z.
 TEST_P(SceneCamera, LooksAtTheMiddle) {
   const Vector3 to_middle =
-      VectorOf(Scene().Child("statistic"), "center") - VectorOf(Element(), "pos");
+      VectorIn(Scene().Child("statistic"), "center") - VectorIn(Element(), "pos");
   EXPECT_LT(glm::length(glm::cross(X(), Y()) + glm::normalize(to_middle)), 2 * kPrinted);
 }
 

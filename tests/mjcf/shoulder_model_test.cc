@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <glm/geometric.hpp>
 #include <iterator>
+#include <optional>
 #include <ostream>
 #include <stdexcept>
 #include <string>
@@ -55,17 +56,37 @@ const Anatomy& BuiltIn() {
   return kAnatomy;
 }
 
-const ShoulderRhythm& BuiltInRhythm() {
-  static const ShoulderRhythm kRhythm(BuiltInRhythmTable());
+// Smooth and exact over the whole range.
+const ShoulderRhythm& DefaultRhythm() {
+  static const ShoulderRhythm kRhythm = BuiltInRhythm();
   return kRhythm;
 }
 
+// As published.
+const ShoulderRhythm& PublishedRhythm() {
+  static const ShoulderRhythm kRhythm = BuiltInRhythm({Interpolation::kSquad, Closure::kTable});
+  return kRhythm;
+}
+
+std::string Xml(const ShoulderRhythm& rhythm, const ShoulderModelOptions& options = {}) {
+  return ShoulderModelXml(BuiltIn(), rhythm, options);
+}
+
 const ParsedXml& Model(Actuation actuation) {
-  static const ParsedXml kPluginModel(
-      ShoulderModelXml(BuiltIn(), BuiltInRhythm(), {Actuation::kPlugin, false}));
-  static const ParsedXml kPositionModel(
-      ShoulderModelXml(BuiltIn(), BuiltInRhythm(), {Actuation::kPosition, false}));
+  static const ParsedXml kPluginModel(Xml(DefaultRhythm()));
+  static const ParsedXml kPositionModel(Xml(DefaultRhythm(), {.actuation = Actuation::kPosition}));
   return actuation == Actuation::kPlugin ? kPluginModel : kPositionModel;
+}
+
+const ParsedXml& PublishedModel() {
+  static const ParsedXml kModel(Xml(PublishedRhythm(), {.table = BuiltInTable::kMeasured}));
+  return kModel;
+}
+
+// With commands for offsets and rates.
+const ParsedXml& FullModel() {
+  static const ParsedXml kModel(Xml(DefaultRhythm(), {.has_offsets = true, .has_rates = true}));
+  return kModel;
 }
 
 // Text of one key of the plugin's configuration; empty if it is not there.
@@ -74,6 +95,11 @@ std::string Config(const ParsedXml& model, const std::string& key) {
     if (TextOf(*config, "key") == key) return TextOf(*config, "value");
   }
   return "";
+}
+
+RhythmConfig ConfigOf(const ParsedXml& model) {
+  return ParseRhythmConfig({Config(model, "interpolation"), Config(model, "closure"),
+                            Config(model, "range"), Config(model, "table"), Config(model, "kp")});
 }
 
 std::string Printed(const tinyxml2::XMLElement& element) {
@@ -128,12 +154,21 @@ TEST_P(EitherActuation, KeepsTheAnatomysJointRanges) {
   }
 }
 
+TEST_P(EitherActuation, StandsWhereControlsOfZeroLead) {
+  const JointAngles zero_rad = AnglesFromPose(DefaultRhythm().SolvePose({}));
+  for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+    EXPECT_NEAR(NumberOf(model().Named("joint", kJoints[k]), "ref"), zero_rad[k],
+                kAngleRounding_rad)
+        << kJoints[k];
+  }
+}
+
 // The first row of the file: elevation 15 in the frontal plane.
-TEST_P(EitherActuation, StandsAtTheLowestMeasuredPosition) {
+TEST(PublishedModel, StandsAtTheLowestMeasuredPosition) {
   const MeasuredRow lowest = MeasuredRows().front();
   ASSERT_EQ(lowest.elevation_deg, 15);
   for (std::size_t k = 0; k < kCoordinateCount; ++k) {
-    EXPECT_NEAR(NumberOf(model().Named("joint", kJoints[k]), "ref"),
+    EXPECT_NEAR(NumberOf(PublishedModel().Named("joint", kJoints[k]), "ref"),
                 RadiansFromDegrees(lowest.angles_deg[k]), kAngleRounding_rad)
         << kJoints[k];
   }
@@ -177,12 +212,12 @@ TEST_P(EitherActuation, CarriesTheMovingBonesAgainstGravity) {
 // manual, "Kinematics".
 Quaternion MujocoRotation(const tinyxml2::XMLElement& body,
                           const std::array<double, 3>& positions_rad) {
-  Quaternion q = QuaternionOf(body, "quat");
+  Quaternion q = QuaternionIn(body, "quat");
   std::size_t hinge = 0;
   for (const auto* joint = body.FirstChildElement("joint"); joint != nullptr;
        joint = joint->NextSiblingElement("joint")) {
     const double half_rad = (positions_rad.at(hinge) - NumberOf(*joint, "ref")) / 2;
-    const Vector3 axis = std::sin(half_rad) * VectorOf(*joint, "axis");
+    const Vector3 axis = std::sin(half_rad) * VectorIn(*joint, "axis");
     q = q * Quaternion(std::cos(half_rad), axis.x, axis.y, axis.z);
     ++hinge;
   }
@@ -203,12 +238,12 @@ RC_GTEST_PROP(JointCoordinates, AreTheMeasuredEulerAngles, ()) {
 
 TEST_P(EitherActuation, HasHingeAxesOfUnitLength) {
   for (const auto* joint : model().All("joint")) {
-    EXPECT_NEAR(glm::length(VectorOf(*joint, "axis")), 1, kRounding) << TextOf(*joint, "name");
+    EXPECT_NEAR(glm::length(VectorIn(*joint, "axis")), 1, kRounding) << TextOf(*joint, "name");
   }
 }
 
 TEST_P(EitherActuation, PutsTheThoraxUpright) {
-  const Quaternion q_WT = QuaternionOf(model().Named("body", "thorax"), "quat");
+  const Quaternion q_WT = QuaternionIn(model().Named("body", "thorax"), "quat");
   EXPECT_LT(glm::length(q_WT * Vector3(1, 0, 0) - Vector3(1, 0, 0)), kRounding) << "forward";
   EXPECT_LT(glm::length(q_WT * Vector3(0, 1, 0) - Vector3(0, 0, 1)), kRounding) << "up";
   EXPECT_LT(glm::length(q_WT * Vector3(0, 0, 1) - Vector3(0, -1, 0)), kRounding) << "right";
@@ -216,9 +251,9 @@ TEST_P(EitherActuation, PutsTheThoraxUpright) {
 
 TEST_P(EitherActuation, HangsTheBonesAtTheirJoints) {
   const auto shipped_m = ShippedLandmarks();
-  EXPECT_EQ(VectorOf(model().Named("body", "clavicle_r"), "pos"), shipped_m.at("SC"));
-  EXPECT_EQ(VectorOf(model().Named("body", "scapula_r"), "pos"), shipped_m.at("PAC"));
-  EXPECT_EQ(VectorOf(model().Named("body", "humerus_r"), "pos"), shipped_m.at("GH"));
+  EXPECT_EQ(VectorIn(model().Named("body", "clavicle_r"), "pos"), shipped_m.at("SC"));
+  EXPECT_EQ(VectorIn(model().Named("body", "scapula_r"), "pos"), shipped_m.at("PAC"));
+  EXPECT_EQ(VectorIn(model().Named("body", "humerus_r"), "pos"), shipped_m.at("GH"));
 }
 
 TEST_P(EitherActuation, HasASiteAtEveryLandmark) {
@@ -228,7 +263,7 @@ TEST_P(EitherActuation, HasASiteAtEveryLandmark) {
     const bool is_in_the_middle =
         landmark == "IJ" || landmark == "PX" || landmark == "C7" || landmark == "T8";
     const auto& site = model().Named("site", is_in_the_middle ? landmark : landmark + "_r");
-    EXPECT_EQ(VectorOf(site, "pos"), ShippedLandmarks().at(landmark)) << landmark;
+    EXPECT_EQ(VectorIn(site, "pos"), ShippedLandmarks().at(landmark)) << landmark;
     EXPECT_EQ(TextOf(*site.Parent()->ToElement(), "name"),
               segment == "thorax" ? segment : segment + "_r")
         << landmark;
@@ -251,10 +286,10 @@ TEST_P(EitherActuation, HasTheAnatomysMasses) {
     const auto* const inertial = model().Named("body", body).FirstChildElement("inertial");
     ASSERT_NE(inertial, nullptr) << body;
     EXPECT_EQ(NumberOf(*inertial, "mass"), std::stod(row.at(1))) << body;
-    EXPECT_EQ(VectorOf(*inertial, "pos"),
+    EXPECT_EQ(VectorIn(*inertial, "pos"),
               Vector3(std::stod(row.at(2)), std::stod(row.at(3)), std::stod(row.at(4))))
         << body;
-    EXPECT_EQ(VectorOf(*inertial, "diaginertia"),
+    EXPECT_EQ(VectorIn(*inertial, "diaginertia"),
               Vector3(std::stod(row.at(5)), std::stod(row.at(6)), std::stod(row.at(7))))
         << body;
   }
@@ -266,23 +301,67 @@ struct NamedPlace {
   double plane_deg;
 };
 
-// The lowest position that is measured stands for rest.
-constexpr NamedPlace kPlaces[] = {{"rest", 15, 0},           {"abduction_30", 30, 0},
-                                  {"abduction_60", 60, 0},   {"abduction_90", 90, 0},
-                                  {"abduction_120", 120, 0}, {"flexion_90", 90, 90}};
+constexpr NamedPlace kPlaces[] = {{"rest", 0, 0},
+                                  {"relaxed", 0, 0},
+                                  {"abduction_30", 30, 0},
+                                  {"abduction_60", 60, 0},
+                                  {"abduction_90", 90, 0},
+                                  {"abduction_120", 120, 0},
+                                  {"abduction_150", 150, 0},
+                                  {"flexion_90", 90, 90},
+                                  {"across_90", 90, 120}};
 
-TEST_P(EitherActuation, HasAKeyframeForEachNamedPose) {
-  const auto keys = model().All("key");
-  ASSERT_EQ(keys.size(), std::size(kPlaces));
-  for (std::size_t i = 0; i < keys.size(); ++i) {
-    EXPECT_EQ(TextOf(*keys[i], "name"), kPlaces[i].name);
+// The lowest position that is measured stands for rest.
+constexpr NamedPlace kPublishedPlaces[] = {{"rest", 15, 0},           {"abduction_30", 30, 0},
+                                           {"abduction_60", 60, 0},   {"abduction_90", 90, 0},
+                                           {"abduction_120", 120, 0}, {"flexion_90", 90, 90}};
+
+ArmCommand CommandOf(const NamedPlace& place) {
+  return {RadiansFromDegrees(place.elevation_deg), RadiansFromDegrees(place.plane_deg)};
+}
+
+template <std::size_t N>
+void ExpectKeyframes(const ParsedXml& model, const NamedPlace (&places)[N]) {
+  const auto keys = model.All("key");
+  ASSERT_EQ(keys.size(), N);
+  for (std::size_t i = 0; i < N; ++i) {
+    EXPECT_EQ(TextOf(*keys[i], "name"), places[i].name);
   }
 }
 
-// Every named pose lies on a measured position.
-TEST_P(EitherActuation, StandsAtTheMeasuredAnglesInItsKeyframes) {
+TEST_P(EitherActuation, HasAKeyframeForEachNamedPose) { ExpectKeyframes(model(), kPlaces); }
+
+TEST(PublishedModel, HasNoKeyframesOutsideTheMeasuredDomain) {
+  ExpectKeyframes(PublishedModel(), kPublishedPlaces);
+}
+
+TEST_P(EitherActuation, StandsInItsKeyframesWhereTheRhythmLeads) {
   for (const NamedPlace& place : kPlaces) {
+    if (std::string(place.name) == "relaxed") continue;
     const auto qpos = NumbersOf(model().Named("key", place.name), "qpos");
+    const JointAngles target_rad = AnglesFromPose(DefaultRhythm().SolvePose(CommandOf(place)));
+    EXPECT_EQ(qpos, std::vector<double>(target_rad.begin(), target_rad.end())) << place.name;
+  }
+}
+
+// Ludewig et al. 2009, relaxed standing; the arm hangs as it does at rest.
+TEST_P(EitherActuation, StandsAsMeasuredWhenRelaxed) {
+  constexpr double kPublished_deg[] = {-19.2, -5.9, 0, 60, -2.5, -8.4};
+  const auto qpos = NumbersOf(model().Named("key", "relaxed"), "qpos");
+  ASSERT_EQ(qpos.size(), kCoordinateCount);
+  for (std::size_t k = 0; k < std::size(kPublished_deg); ++k) {
+    EXPECT_NEAR(qpos[k], RadiansFromDegrees(kPublished_deg[k]), kAngleRounding_rad) << kJoints[k];
+  }
+  JointAngles angles_rad{};
+  std::copy(qpos.begin(), qpos.end(), angles_rad.begin());
+  EXPECT_LT(AngleBetween(PoseFromAngles(angles_rad).q_TH(), DefaultRhythm().SolvePose({}).q_TH()),
+            kAngleRounding_rad);
+}
+
+// Every named pose of the measured domain lies on a measured position.
+TEST(PublishedModel, StandsAtTheMeasuredAnglesInItsKeyframes) {
+  for (const NamedPlace& place : kPublishedPlaces) {
+    const auto qpos = NumbersOf(PublishedModel().Named("key", place.name), "qpos");
     ASSERT_EQ(qpos.size(), kCoordinateCount) << place.name;
     int rows = 0;
     for (const MeasuredRow& row : MeasuredRows()) {
@@ -297,13 +376,43 @@ TEST_P(EitherActuation, StandsAtTheMeasuredAnglesInItsKeyframes) {
   }
 }
 
-TEST(PluginModel, CommandsItsKeyframesToTheirElevationAndPlane) {
-  for (const NamedPlace& place : kPlaces) {
-    const auto ctrl = NumbersOf(Model(Actuation::kPlugin).Named("key", place.name), "ctrl");
-    std::vector<double> expected(kCommandCount + kCoordinateCount);
+template <std::size_t N>
+void ExpectKeyframeCommands(const ParsedXml& model, const NamedPlace (&places)[N],
+                            std::size_t controls) {
+  for (const NamedPlace& place : places) {
+    if (std::string(place.name) == "relaxed") continue;
+    const auto ctrl = NumbersOf(model.Named("key", place.name), "ctrl");
+    std::vector<double> expected(controls);
     expected[0] = RadiansFromDegrees(place.elevation_deg);
     expected[1] = RadiansFromDegrees(place.plane_deg);
     EXPECT_EQ(ctrl, expected) << place.name;
+  }
+}
+
+TEST(PluginModel, CommandsItsKeyframesToTheirElevationAndPlane) {
+  ExpectKeyframeCommands(Model(Actuation::kPlugin), kPlaces, kCommandCount + kCoordinateCount);
+  ExpectKeyframeCommands(PublishedModel(), kPublishedPlaces, kCommandCount + kCoordinateCount);
+  ExpectKeyframeCommands(FullModel(), kPlaces, kAllCommandCount + kCoordinateCount);
+}
+
+// Where the servos aim, with their trims, is where the keyframe stands.
+TEST(PluginModel, HoldsTheRelaxedKeyframeByTrimsWithinTheirRanges) {
+  for (const auto& [model, commands] : {std::pair(&Model(Actuation::kPlugin), kCommandCount),
+                                        std::pair(&FullModel(), kAllCommandCount)}) {
+    const auto& key = model->Named("key", "relaxed");
+    const auto ctrl = NumbersOf(key, "ctrl");
+    const auto qpos = NumbersOf(key, "qpos");
+    ASSERT_EQ(ctrl.size(), commands + kCoordinateCount);
+    EXPECT_EQ(std::count(ctrl.begin(), ctrl.begin() + static_cast<std::ptrdiff_t>(commands), 0.0),
+              static_cast<std::ptrdiff_t>(commands));
+    const JointAngles target_rad = AnglesFromPose(DefaultRhythm().SolvePose({}));
+    for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+      const double trim_rad = ctrl[commands + k];
+      const auto range = NumbersOf(model->Named("plugin", kJoints[k]), "ctrlrange");
+      EXPECT_NEAR(target_rad[k] + trim_rad, qpos[k], kAngleRounding_rad) << kJoints[k];
+      EXPECT_GT(trim_rad, range.at(0)) << kJoints[k];
+      EXPECT_LT(trim_rad, range.at(1)) << kJoints[k];
+    }
   }
 }
 
@@ -346,26 +455,99 @@ TEST(PluginModel, HasServosOnTheirOwnJoints) {
   }
 }
 
-TEST(PluginModel, TakesCommandsWithinTheTable) {
+TEST(PluginModel, TakesCommandsForAllThatAnArmReaches) {
   const ParsedXml& model = Model(Actuation::kPlugin);
   EXPECT_EQ(NumbersOf(model.Named("plugin", "elevation_r"), "ctrlrange"),
-            (std::vector<double>{RadiansFromDegrees(15), RadiansFromDegrees(120)}));
+            (std::vector<double>{0, RadiansFromDegrees(180)}));
   EXPECT_EQ(NumbersOf(model.Named("plugin", "plane_r"), "ctrlrange"),
+            (std::vector<double>{RadiansFromDegrees(-60), RadiansFromDegrees(135)}));
+}
+
+TEST(PublishedModel, TakesCommandsWithinTheTable) {
+  EXPECT_EQ(NumbersOf(PublishedModel().Named("plugin", "elevation_r"), "ctrlrange"),
+            (std::vector<double>{RadiansFromDegrees(15), RadiansFromDegrees(120)}));
+  EXPECT_EQ(NumbersOf(PublishedModel().Named("plugin", "plane_r"), "ctrlrange"),
             (std::vector<double>{0, RadiansFromDegrees(90)}));
 }
 
-TEST(PluginModel, TakesAxialCommandsThatKeepTheHumerusWithinItsRange) {
+TEST(PluginModel, TakesAxialCommandsThatKeepTheHumerusWithinItsRangeInTheTable) {
   const ParsedXml& model = Model(Actuation::kPlugin);
   const auto command = NumbersOf(model.Named("plugin", "axial_r"), "ctrlrange");
   const auto range = NumbersOf(model.Named("joint", "gh_axial_r"), "range");
   double lowest_rad = kPi;
   double highest_rad = -kPi;
-  for (const MeasuredRow& row : MeasuredRows()) {
-    lowest_rad = std::min(lowest_rad, RadiansFromDegrees(row.angles_deg[kGhAxialIndex]));
-    highest_rad = std::max(highest_rad, RadiansFromDegrees(row.angles_deg[kGhAxialIndex]));
+  constexpr std::size_t kGhAxialColumn = 11;
+  for (const auto& row : ShippedRows("ludewig2009_destepped.csv")) {
+    const double axial_rad = RadiansFromDegrees(std::stod(row.at(kGhAxialColumn)));
+    lowest_rad = std::min(lowest_rad, axial_rad);
+    highest_rad = std::max(highest_rad, axial_rad);
   }
   EXPECT_NEAR(lowest_rad + command.at(0), range.at(0), kRounding);
   EXPECT_NEAR(highest_rad + command.at(1), range.at(1), kRounding);
+}
+
+std::vector<std::string> ActuatorNames(const ParsedXml& model) {
+  std::vector<std::string> names;
+  for (const auto* actuator : ParsedXml::All(model.Child("actuator"), "")) {
+    names.push_back(TextOf(*actuator, "name"));
+  }
+  return names;
+}
+
+TEST(PluginModel, TakesOffsetsAndRatesWhereTheyAreWanted) {
+  struct Wanted {
+    ShoulderModelOptions options;
+    std::vector<std::string> commands;
+  };
+  const std::vector<Wanted> choices = {
+      {{.has_offsets = true}, {"elevation_r", "plane_r", "axial_r", "shrug_r", "protraction_r"}},
+      {{.has_rates = true},
+       {"elevation_r", "plane_r", "axial_r", "elevation_rate_r", "plane_rate_r", "axial_rate_r"}},
+      {{.has_offsets = true, .has_rates = true},
+       {"elevation_r", "plane_r", "axial_r", "shrug_r", "protraction_r", "elevation_rate_r",
+        "plane_rate_r", "axial_rate_r"}},
+      {{.actuation = Actuation::kPosition, .has_offsets = true, .has_rates = true}, {}}};
+  for (const auto& [options, commands] : choices) {
+    std::vector<std::string> expected = commands;
+    expected.insert(expected.end(), kJoints.begin(), kJoints.end());
+    EXPECT_EQ(ActuatorNames(ParsedXml(Xml(DefaultRhythm(), options))), expected);
+  }
+}
+
+TEST(PluginModel, HasOffsetsAndRatesWithoutForceAndWithRanges) {
+  for (const char* const command :
+       {"shrug_r", "protraction_r", "elevation_rate_r", "plane_rate_r", "axial_rate_r"}) {
+    const auto& actuator = FullModel().Named("plugin", command);
+    EXPECT_EQ(NumberOf(actuator, "gear"), 0) << command;
+    EXPECT_EQ(TextOf(actuator, "instance"), "rhythm_r") << command;
+    const auto range = NumbersOf(actuator, "ctrlrange");
+    EXPECT_LT(range.at(0), 0) << command;
+    EXPECT_GT(range.at(1), 0) << command;
+  }
+  EXPECT_EQ(NumbersOf(FullModel().Named("plugin", "shrug_r"), "ctrlrange"),
+            (std::vector<double>{RadiansFromDegrees(-15), RadiansFromDegrees(35)}));
+  EXPECT_EQ(NumbersOf(FullModel().Named("plugin", "protraction_r"), "ctrlrange"),
+            (std::vector<double>{RadiansFromDegrees(-25), RadiansFromDegrees(30)}));
+}
+
+// Offsets and rates are commands alone: the body is the same.
+TEST(PluginModel, IsTheSameBodyWithOffsetsAndRates) {
+  for (const char* const part : {"extension", "default", "asset", "worldbody", "sensor"}) {
+    EXPECT_EQ(Printed(FullModel().Child(part)), Printed(Model(Actuation::kPlugin).Child(part)))
+        << part;
+  }
+}
+
+TEST(ShoulderModel, RefusesRatesThatTheInterpolationDoesNotHave) {
+  for (const Interpolation interpolation : {Interpolation::kSquad, Interpolation::kSlerp}) {
+    const ShoulderRhythm rhythm = BuiltInRhythm({interpolation, Closure::kTable});
+    EXPECT_EQ(
+        MessageOf<std::invalid_argument>([&] {
+          static_cast<void>(Xml(rhythm, {.table = BuiltInTable::kMeasured, .has_rates = true}));
+        }),
+        "rate commands need the interpolation smooth")
+        << Name(interpolation);
+  }
 }
 
 TEST(PluginModel, HasTheSensorOfItsInstance) {
@@ -381,33 +563,57 @@ TEST(PluginModel, NamesThePluginOfItsInstance) {
   EXPECT_EQ(TextOf(*instance.Parent()->ToElement(), "plugin"), "girdle.rhythm");
 }
 
-class ConfiguredRhythm : public testing::TestWithParam<Interpolation> {};
+struct Chosen {
+  RhythmOptions options;
+  std::optional<BuiltInTable> table;
+};
+
+class ChosenRhythm : public testing::TestWithParam<Chosen> {};
 
 // What the plugin reads is what the model was made of.
-TEST_P(ConfiguredRhythm, IsTheOneTheModelWasMadeOf) {
-  const ShoulderRhythm rhythm(BuiltInRhythmTable(), {GetParam(), Closure::kTable});
-  const ParsedXml model(ShoulderModelXml(BuiltIn(), rhythm));
-  const RhythmConfig config =
-      ParseRhythmConfig({Config(model, "interpolation"), Config(model, "closure"),
-                         Config(model, "table"), Config(model, "kp")});
-  EXPECT_EQ(config.rhythm.options().interpolation, GetParam());
-  EXPECT_EQ(config.rhythm.options().closure, Closure::kTable);
+TEST_P(ChosenRhythm, IsTheOneThatTheModelSays) {
+  const auto& [options, table] = GetParam();
+  const ShoulderRhythm rhythm(BuiltInRhythmTable(table.value_or(BuiltInTable::kMeasured)), options,
+                              BuiltIn().ranges);
+  const RhythmConfig config = ConfigOf(ParsedXml(Xml(rhythm, {.table = table})));
+  EXPECT_EQ(config.options.interpolation, options.interpolation);
+  EXPECT_EQ(config.options.closure, options.closure);
+  EXPECT_EQ(config.options.range, rhythm.options().range);
+  EXPECT_EQ(RhythmTableToLine(config.table), RhythmTableToLine(rhythm.table()));
 }
 
-INSTANTIATE_TEST_SUITE_P(Words, ConfiguredRhythm,
-                         testing::Values(Interpolation::kSquad, Interpolation::kSlerp));
+INSTANTIATE_TEST_SUITE_P(
+    Words, ChosenRhythm,
+    testing::Values(Chosen{{}, BuiltInTable::kDestepped}, Chosen{{}, BuiltInTable::kMeasured},
+                    Chosen{{}, std::nullopt},
+                    Chosen{{Interpolation::kSmooth, Closure::kExact, Range::kClamp},
+                           BuiltInTable::kDestepped},
+                    Chosen{{Interpolation::kSmooth, Closure::kTable}, BuiltInTable::kDestepped},
+                    Chosen{{Interpolation::kSquad, Closure::kTable}, BuiltInTable::kMeasured},
+                    Chosen{{Interpolation::kSquad, Closure::kTable}, std::nullopt},
+                    Chosen{{Interpolation::kSlerp, Closure::kExact}, BuiltInTable::kMeasured}));
+
+TEST(PluginModel, SaysInWordsWhatItIsMadeOf) {
+  const ParsedXml& model = Model(Actuation::kPlugin);
+  EXPECT_EQ(Config(model, "interpolation"), "smooth");
+  EXPECT_EQ(Config(model, "closure"), "exact");
+  EXPECT_EQ(Config(model, "range"), "whole");
+  EXPECT_EQ(Config(model, "table"), "destepped");
+}
+
+TEST(PublishedModel, SaysInWordsWhatItIsMadeOf) {
+  EXPECT_EQ(Config(PublishedModel(), "interpolation"), "squad");
+  EXPECT_EQ(Config(PublishedModel(), "closure"), "table");
+  EXPECT_EQ(Config(PublishedModel(), "range"), "clamp");
+  EXPECT_EQ(Config(PublishedModel(), "table"), "measured");
+}
 
 TEST(PluginModel, HasTheStiffnessesOfItsDynamics) {
-  const RhythmConfig config =
-      ParseRhythmConfig({"", "", "", Config(Model(Actuation::kPlugin), "kp")});
+  const RhythmConfig config = ConfigOf(Model(Actuation::kPlugin));
   for (std::size_t k = 0; k < kCoordinateCount; ++k) {
     EXPECT_EQ(config.stiffness_N_m_per_rad[k], kJointDynamics[k / 3].stiffness_N_m_per_rad)
         << kJoints[k];
   }
-}
-
-TEST(PluginModel, LeavesTheTableToThePluginUnlessTold) {
-  EXPECT_EQ(Config(Model(Actuation::kPlugin), "table"), "");
 }
 
 // The built-in rows with one angle changed, so that the built-in table cannot stand in for it.
@@ -419,7 +625,7 @@ RhythmTable OtherTable() {
 
 TEST(PluginModel, CarriesATableThatReadsBack) {
   const ParsedXml model(
-      ShoulderModelXml(BuiltIn(), ShoulderRhythm(OtherTable()), {Actuation::kPlugin, true}));
+      Xml(ShoulderRhythm(OtherTable(), {}, BuiltIn().ranges), {.table = std::nullopt}));
   const RhythmTable table = RhythmTableFromLine(Config(model, "table"), "config");
   EXPECT_EQ(table.planes_rad(), OtherTable().planes_rad());
   EXPECT_EQ(table.elevations_rad(), OtherTable().elevations_rad());
@@ -433,7 +639,8 @@ TEST(PluginModel, CarriesATableThatReadsBack) {
 }
 
 TEST(ShoulderModel, OfAnotherTableStandsAtThatTablesLowestPosition) {
-  const ParsedXml model(ShoulderModelXml(BuiltIn(), ShoulderRhythm(OtherTable())));
+  const ShoulderRhythm rhythm(OtherTable(), {Interpolation::kSquad, Closure::kTable});
+  const ParsedXml model(Xml(rhythm, {.table = std::nullopt}));
   EXPECT_NEAR(NumberOf(model.Named("joint", "sc_elevation_r"), "ref"),
               OtherTable().position(0, 0).angles_rad[1], kAngleRounding_rad);
 }
@@ -442,17 +649,16 @@ TEST(ShoulderModel, OfAnotherAnatomyHasItsLandmarksAndMasses) {
   Anatomy anatomy = BuiltIn();
   anatomy.landmarks_m[static_cast<std::size_t>(Landmark::kGH)] = {0.009, -0.05, -0.006};
   anatomy.segments[static_cast<std::size_t>(Segment::kHumerus)].mass_kg = 2.5;
-  const ParsedXml model(ShoulderModelXml(anatomy, BuiltInRhythm()));
+  const ParsedXml model(ShoulderModelXml(anatomy, DefaultRhythm()));
   const auto& humerus = model.Named("body", "humerus_r");
-  EXPECT_EQ(VectorOf(humerus, "pos"), Vector3(0.009, -0.05, -0.006));
-  EXPECT_EQ(VectorOf(model.Named("site", "GH_r"), "pos"), Vector3(0.009, -0.05, -0.006));
+  EXPECT_EQ(VectorIn(humerus, "pos"), Vector3(0.009, -0.05, -0.006));
+  EXPECT_EQ(VectorIn(model.Named("site", "GH_r"), "pos"), Vector3(0.009, -0.05, -0.006));
   EXPECT_EQ(NumberOf(*humerus.FirstChildElement("inertial"), "mass"), 2.5);
 }
 
 TEST(PositionModel, HasNinePositionServosWithTheSameGains) {
   const auto servos = ParsedXml::All(Model(Actuation::kPosition).Child("actuator"), "");
-  const RhythmConfig plugin =
-      ParseRhythmConfig({"", "", "", Config(Model(Actuation::kPlugin), "kp")});
+  const RhythmConfig plugin = ConfigOf(Model(Actuation::kPlugin));
   ASSERT_EQ(servos.size(), kCoordinateCount);
   for (std::size_t k = 0; k < kCoordinateCount; ++k) {
     EXPECT_STREQ(servos[k]->Name(), "position");
@@ -487,8 +693,22 @@ TEST(PositionModel, IsTheSameBodyAsThePluginModel) {
 }
 
 TEST(ShoulderModel, IsTheSameTextEveryTime) {
-  EXPECT_EQ(ShoulderModelXml(BuiltIn(), BuiltInRhythm()),
-            ShoulderModelXml(BuiltInAnatomy(), ShoulderRhythm(BuiltInRhythmTable())));
+  EXPECT_EQ(Xml(DefaultRhythm()), ShoulderModelXml(BuiltInAnatomy(), BuiltInRhythm()));
+}
+
+// It would load, and be another rhythm's.
+TEST(ShoulderModel, RefusesToNameATableThatIsNotItsOwn) {
+  EXPECT_EQ(MessageOf<std::invalid_argument>([] {
+              static_cast<void>(Xml(PublishedRhythm(), {.table = BuiltInTable::kDestepped}));
+            }),
+            "the rhythm's table is not the built-in table destepped. Name the one that it is, or "
+            "none");
+  EXPECT_EQ(MessageOf<std::invalid_argument>([] {
+              static_cast<void>(Xml(ShoulderRhythm(OtherTable(), {}, BuiltIn().ranges),
+                                    {.table = BuiltInTable::kMeasured}));
+            }),
+            "the rhythm's table is not the built-in table measured. Name the one that it is, or "
+            "none");
 }
 
 struct Outside {
@@ -506,27 +726,67 @@ TEST_P(TableOutsideTheRanges, IsRefusedWithValuePlaceAndRange) {
   constexpr std::size_t kPlane40Elevation60 = 22 + 9;
   std::vector<MeasuredRow> rows = MeasuredRows();
   rows[kPlane40Elevation60].angles_deg[GetParam().coordinate] = GetParam().angle_deg;
-  const ShoulderRhythm rhythm(TableOf(rows));
+  const ShoulderRhythm rhythm(TableOf(rows), {Interpolation::kSquad, Closure::kTable});
   EXPECT_EQ(MessageOf<std::invalid_argument>(
-                [&] { static_cast<void>(ShoulderModelXml(BuiltIn(), rhythm)); }),
+                [&] { static_cast<void>(Xml(rhythm, {.table = std::nullopt})); }),
             GetParam().message);
 }
 
 INSTANTIATE_TEST_SUITE_P(
     OneAngleEach, TableOutsideTheRanges,
     testing::Values(
-        Outside{"protraction above", 0, 10.5,
-                "sc_protraction is 10.5 deg at plane 40, elevation 60, outside the joint's range "
+        Outside{"protraction above", 0, 10.1,
+                "sc_protraction is 10.1 deg at plane 40, elevation 60, outside the joint's range "
                 "-60 to 10 deg. Check the signs and the sequence of the table's angles"},
-        Outside{"axial angle below", 8, -121,
-                "gh_axial is -121 deg at plane 40, elevation 60, outside the joint's range -120 to "
-                "60 deg. Check the signs and the sequence of the table's angles"}));
+        Outside{"upward rotation below", 4, -40.02,
+                "ac_upward_rotation is -40.02 deg at plane 40, elevation 60, outside the joint's "
+                "range -40 to 15 deg. Check the signs and the sequence of the table's angles"}));
 
 TEST(ShoulderModel, TakesATableOnTheEdgeOfARange) {
   std::vector<MeasuredRow> rows = MeasuredRows();
   rows[10].angles_deg[0] = -60;
-  const ShoulderRhythm rhythm(TableOf(rows));
-  EXPECT_NO_THROW(static_cast<void>(ShoulderModelXml(BuiltIn(), rhythm)));
+  const ShoulderRhythm rhythm(TableOf(rows), {Interpolation::kSquad, Closure::kTable});
+  EXPECT_NO_THROW(static_cast<void>(Xml(rhythm, {.table = std::nullopt})));
+}
+
+// All rows lie within the ranges; what follows from them elsewhere does not.
+TEST(ShoulderModel, RefusesATableWhoseWholeRhythmLeavesARange) {
+  std::vector<MeasuredRow> rows = MeasuredRows();
+  for (MeasuredRow& row : rows) row.angles_deg[kGhAxialIndex] -= 10;
+  for (const MeasuredRow& row : rows) {
+    ASSERT_GT(RadiansFromDegrees(row.angles_deg[kGhAxialIndex]),
+              BuiltIn().ranges[kGhAxialIndex].lower_rad);
+  }
+  const auto message = [&rows](const RhythmOptions& options) {
+    return MessageOf<std::invalid_argument>([&] {
+      static_cast<void>(Xml(ShoulderRhythm(TableOf(rows), options), {.table = std::nullopt}));
+    });
+  };
+  const std::string whole = message({});
+  EXPECT_EQ(whole.rfind("gh_axial is -18", 0), 0U) << whole;
+  EXPECT_NE(whole.find(", outside the joint's range -180 to 60 deg. Check the signs"),
+            std::string::npos)
+      << whole;
+  EXPECT_EQ(message({Interpolation::kSmooth, Closure::kExact, Range::kClamp}),
+            "(nothing was thrown)");
+}
+
+// Between the positions that the writer looks at, too.
+TEST(BuiltInAnatomy, HoldsTheWholeRhythmInItsRanges) {
+  const auto within = [](const ArmCommand& command) {
+    const JointAngles angles_rad = AnglesFromPose(DefaultRhythm().SolvePose(command));
+    for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+      const CoordinateRange& range = BuiltIn().ranges[k];
+      if (!(angles_rad[k] >= range.lower_rad && angles_rad[k] <= range.upper_rad)) return false;
+    }
+    return true;
+  };
+  for (double elevation_deg = 0.25; elevation_deg < 180; elevation_deg += 0.5) {
+    for (double plane_deg = -59.75; plane_deg < 135; plane_deg += 0.5) {
+      ASSERT_TRUE(within({RadiansFromDegrees(elevation_deg), RadiansFromDegrees(plane_deg)}))
+          << "elevation " << elevation_deg << ", plane " << plane_deg;
+    }
+  }
 }
 
 struct NamedMesh {

@@ -35,7 +35,7 @@ ComparisonMap Map(const std::vector<double>& elevations_deg,
 }
 
 const ShoulderRhythm& Measured() {
-  static const ShoulderRhythm kRhythm(BuiltInRhythmTable());
+  static const ShoulderRhythm kRhythm = BuiltInRhythm({Interpolation::kSquad, Closure::kTable});
   return kRhythm;
 }
 

@@ -60,6 +60,44 @@ TEST(ReadMotion, TakesAnAxialColumnAndAnyOrder) {
   EXPECT_EQ(motion.command(0).plane_rad, RadiansFromDegrees(10));
 }
 
+TEST(ReadMotion, TakesOffsets) {
+  const Motion motion = FromText(
+      "time_s,elevation_deg,plane_deg,shrug_deg,protraction_deg\n0,20,0,0,4\n2,20,0,10,-6\n");
+  EXPECT_NEAR(motion.command(0.5).shrug_rad, RadiansFromDegrees(2.5), 1e-14);
+  EXPECT_NEAR(motion.command(0.5).protraction_rad, RadiansFromDegrees(1.5), 1e-14);
+  EXPECT_EQ(motion.command(2).shrug_rad, RadiansFromDegrees(10));
+  EXPECT_EQ(motion.command(2).protraction_rad, RadiansFromDegrees(-6));
+}
+
+TEST(ReadMotion, HasNoOffsetsUnlessTheFileSaysSo) {
+  EXPECT_EQ(FromText(kValid).command(0.5).shrug_rad, 0);
+  EXPECT_EQ(FromText(kValid).command(0.5).protraction_rad, 0);
+}
+
+TEST(ReachingMotion, MovesOffsetsToo) {
+  const Motion motion = ReachingMotion("reach", {0, 0, 0, 0.1, -0.2}, {0, 0, 0, 0.3, 0.2}, 1);
+  EXPECT_DOUBLE_EQ(motion.command(0.5).shrug_rad, 0.2);
+  EXPECT_DOUBLE_EQ(motion.command(0.5).protraction_rad, 0);
+}
+
+TEST(RateOf, IsTheSlopeBetweenRows) {
+  const Motion motion =
+      FromText("time_s,elevation_deg,plane_deg,axial_deg\n0,20,0,5\n2,80,40,-5\n");
+  const CommandRate rates = RateOf(motion, 0.5, 0.002);
+  EXPECT_NEAR(rates[0], RadiansFromDegrees(30), 1e-11);
+  EXPECT_NEAR(rates[1], RadiansFromDegrees(20), 1e-11);
+  EXPECT_NEAR(rates[2], RadiansFromDegrees(-5), 1e-11);
+}
+
+// What the command will have changed by when the step ends.
+TEST(RateOf, IsThatOfTheStepThatBegins) {
+  const Motion motion = FromText(kValid);
+  const double step_s = 0.01;
+  EXPECT_EQ(RateOf(motion, 3, step_s)[0], 0) << "the motion has ended";
+  // Half of this step is on the first line, of 60 deg/s, half on the second, of 10 deg/s.
+  EXPECT_NEAR(RateOf(motion, 1 - step_s / 2, step_s)[0], RadiansFromDegrees(35), 1e-11);
+}
+
 struct BadMotion {
   const char* name;
   const char* from;
@@ -91,6 +129,9 @@ INSTANTIATE_TEST_SUITE_P(
                     BadMotion{"UnknownColumn", "plane_deg", "plan_deg",
                               "motion.csv:1: column 'plan_deg' is not known. Remove it or correct "
                               "its name"},
+                    BadMotion{"UnknownOffset", "plane_deg", "plane_deg,shrugs_deg",
+                              "motion.csv:1: column 'shrugs_deg' is not known. Remove it or "
+                              "correct its name"},
                     BadMotion{"NoRows", "0,20,0\n1,80,40\n3,100,90\n", "",
                               "motion.csv:1: the motion has no rows"}),
     [](const auto& parameter) { return parameter.param.name; });

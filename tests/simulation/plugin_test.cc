@@ -7,111 +7,137 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
+#include <cstddef>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "kinematics/model_names.h"
 #include "mjcf/joint_dynamics.h"
-#include "mjcf/shoulder_model.h"
-#include "simulation/engine_fixture.h"
+#include "simulation/plugin_fixture.h"
 #include "tables/built_in.h"
 #include "tables/input_error.h"
 
 namespace girdle {
 namespace {
 
-constexpr int kControls = kCommandCount + kCoordinateCount;
-constexpr int kPositions = kCoordinateCount;
-
-std::string ShoulderXml(Actuation actuation = Actuation::kPlugin,
-                        Interpolation interpolation = Interpolation::kSquad) {
-  return ShoulderModelXml(BuiltInAnatomy(),
-                          ShoulderRhythm(BuiltInRhythmTable(), {interpolation, Closure::kTable}),
-                          {.actuation = actuation});
-}
-
-ModelPointer LoadedModel(const std::string& xml) { return LoadModel({{"shoulder.xml", xml}}); }
-
-// A copy of `text` with the first `from` replaced; a test that looks for what is not there must
-// fail.
-std::string Replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  if (at == std::string::npos) {
-    throw std::logic_error("the model does not hold: " + from);
-  }
-  return text.replace(at, from.size(), to);
-}
-
-class PluginTest : public EngineTest {
- protected:
-  explicit PluginTest(const std::string& xml = ShoulderXml())
-      : model_(LoadedModel(xml)), data_(MakeData(*model_)) {}
-
-  // Nine servos' outputs follow the three commands'.
-  [[nodiscard]] const mjtNum* forces() const { return data_->actuator_force + kCommandCount; }
-
-  // Commands within the measured domain, trims and joint positions around the targets.
-  void Randomise(std::mt19937& random) {
-    const auto draw = [&random](double lower, double upper) {
-      return std::uniform_real_distribution(lower, upper)(random);
-    };
-    data_->ctrl[0] = RadiansFromDegrees(draw(15, 120));
-    data_->ctrl[1] = RadiansFromDegrees(draw(0, 90));
-    data_->ctrl[2] = RadiansFromDegrees(draw(-30, 30));
-    for (int k = 0; k < kPositions; ++k) {
-      data_->ctrl[kCommandCount + k] = draw(-0.3, 0.3);
-      data_->qpos[k] = model_->qpos0[k] + draw(-0.05, 0.05);
-      data_->qvel[k] = draw(-0.5, 0.5);
-    }
-  }
-
-  ModelPointer model_;
-  DataPointer data_;
-};
-
-TEST_F(PluginTest, ForceIsStiffnessTimesTargetPlusTrimMinusPosition) {
-  const ShoulderRhythm rhythm(BuiltInRhythmTable());
+TEST_F(FullPluginTest, ForceIsStiffnessTimesTargetPlusTrimMinusPosition) {
+  const ShoulderRhythm rhythm = BuiltInRhythm();
   std::mt19937 random(1);
-  for (int sample = 0; sample < 200; ++sample) {
-    Randomise(random);
+  int clamped = 0;
+  for (int sample = 0; sample < 500; ++sample) {
+    // Beyond all ranges, too: of the controls, of what an arm reaches, and of the hinges.
+    SetCommand({DrawDegrees(random, -30, 210), DrawDegrees(random, -90, 160),
+                DrawDegrees(random, -120, 120), DrawDegrees(random, -40, 60),
+                DrawDegrees(random, -40, 60)});
+    RandomisePositions(random);
     mj_forward(model_.get(), data_.get());
-    const JointAngles target_rad =
-        AnglesFromPose(rhythm.Solve({data_->ctrl[0], data_->ctrl[1], data_->ctrl[2]}).pose);
+    const ShoulderSolution solution = rhythm.Solve(CommandRead());
+    clamped += solution.clamped ? 1 : 0;
+    const JointAngles target_rad = AnglesFromPose(solution.pose);
     for (std::size_t k = 0; k < kCoordinateCount; ++k) {
       const double expected = kJointDynamics[k / 3].stiffness_N_m_per_rad *
-                              (target_rad[k] + data_->ctrl[kCommandCount + k] - data_->qpos[k]);
-      // One rounding of a torque of some hundred newton meters.
-      EXPECT_NEAR(forces()[k], expected, 1e-10)
+                              (target_rad[k] + trims()[k] - data_->qpos[k]);
+      // One rounding of a torque of some thousand newton meters.
+      EXPECT_NEAR(forces()[k], expected, 1e-9)
           << "sample " << sample << ", " << kCoordinateNames[k];
     }
+    const mjtNum* values = data_->sensordata;
+    EXPECT_EQ(values[sensor_layout::kCommanded], solution.used.elevation_rad);
+    EXPECT_EQ(values[sensor_layout::kCommanded + 1], solution.used.plane_rad);
+    EXPECT_EQ(values[sensor_layout::kCommanded + 2], solution.used.axial_rad);
+    EXPECT_TRUE(std::equal(target_rad.begin(), target_rad.end(), values + sensor_layout::kTarget))
+        << "sample " << sample;
   }
+  EXPECT_GT(clamped, 100) << "the samples do not reach the hinges' ends";
 }
 
-TEST_F(PluginTest, CommandActuatorsExertNoForce) {
+TEST_F(FullPluginTest, OffsetsMoveTheClavicleAndLeaveTheArmItsDirection) {
+  const ShoulderRhythm rhythm = BuiltInRhythm();
+  const ArmCommand plain{RadiansFromDegrees(70), RadiansFromDegrees(40)};
+  ArmCommand offset = plain;
+  offset.shrug_rad = RadiansFromDegrees(8);
+  offset.protraction_rad = RadiansFromDegrees(6);
+  SetCommand(offset);
+  mj_forward(model_.get(), data_.get());
+  const mjtNum* target_rad = data_->sensordata + sensor_layout::kTarget;
+  const JointAngles without_rad = TargetsOf(rhythm, plain);
+  constexpr double kRounding_rad = 1e-12;
+  // Protraction is +, elevation of the clavicle is -.
+  EXPECT_NEAR(target_rad[0], without_rad[0] + offset.protraction_rad, kRounding_rad);
+  EXPECT_NEAR(target_rad[1], without_rad[1] - offset.shrug_rad, kRounding_rad);
+  for (const std::size_t k : {2, 3, 4, 5}) {
+    EXPECT_NEAR(target_rad[k], without_rad[k], kRounding_rad) << kCoordinateNames[k];
+  }
+  std::copy_n(target_rad, kPositions, data_->qpos);
+  mj_forward(model_.get(), data_.get());
+  EXPECT_NEAR(data_->sensordata[sensor_layout::kReached], plain.elevation_rad, kRounding_rad);
+  EXPECT_NEAR(data_->sensordata[sensor_layout::kReached + 1], plain.plane_rad, kRounding_rad);
+}
+
+TEST_F(FullPluginTest, OffsetsEndAtTheHingesRanges) {
+  const int joint = mj_name2id(model_.get(), mjOBJ_JOINT, "sc_elevation_r");
+  // The clavicle is raised by the arm already; a shrug as far as its control goes is too much.
+  SetCommand({RadiansFromDegrees(150), RadiansFromDegrees(40), 0, RadiansFromDegrees(35)});
+  mj_forward(model_.get(), data_.get());
+  EXPECT_DOUBLE_EQ(data_->sensordata[sensor_layout::kTarget + 1], model_->jnt_range[2 * joint]);
+}
+
+TEST_F(PluginTest, AnAxialTurnEndsAtTheHingesRange) {
+  const ShoulderRhythm rhythm = BuiltInRhythm();
+  const int joint = mj_name2id(model_.get(), mjOBJ_JOINT, "gh_axial_r");
+  const mjtNum* range_rad = model_->jnt_range + 2 * joint;
+  // At the ends of its control, which are made for the measured positions, behind the body and
+  // across the chest.
+  int bounded = 0;
+  for (const double plane_deg : {-55.0, 130.0}) {
+    for (const int end : {0, 1}) {
+      const ArmCommand command{RadiansFromDegrees(50), RadiansFromDegrees(plane_deg),
+                               model_->actuator_ctrlrange[2 * 2 + end]};
+      SetCommand(command);
+      mj_forward(model_.get(), data_.get());
+      const double target_rad = data_->sensordata[sensor_layout::kTarget + kGhAxialIndex];
+      const double used_rad = data_->sensordata[sensor_layout::kCommanded + 2];
+      // Rounding of an angle taken from a rotation.
+      constexpr double kRounding_rad = 1e-12;
+      EXPECT_GE(target_rad, range_rad[0] - kRounding_rad) << plane_deg << ", end " << end;
+      EXPECT_LE(target_rad, range_rad[1] + kRounding_rad) << plane_deg << ", end " << end;
+      const JointAngles without_rad =
+          TargetsOf(rhythm, {command.elevation_rad, command.plane_rad, 0});
+      EXPECT_NEAR(target_rad - without_rad[kGhAxialIndex], used_rad, kRounding_rad);
+      if (used_rad != command.axial_rad) {
+        EXPECT_NEAR(target_rad, range_rad[end], kRounding_rad) << plane_deg << ", end " << end;
+        ++bounded;
+      }
+    }
+  }
+  EXPECT_GT(bounded, 0);
+}
+
+TEST_F(FullPluginTest, CommandActuatorsExertNoForce) {
   std::mt19937 random(2);
   Randomise(random);
+  data_->ctrl[kCommandCount + kOffsetCount] = 1;  // a rate
   mj_forward(model_.get(), data_.get());
-  for (std::size_t i = 0; i < kCommandCount; ++i) {
-    EXPECT_EQ(data_->actuator_force[i], 0) << kCommandNames[i];
+  for (std::size_t i = 0; i < kAllCommandCount; ++i) {
+    EXPECT_EQ(data_->actuator_force[i], 0) << kAllCommandNames[i];
   }
 }
 
 TEST_F(PluginTest, MovesAsNativePositionServosAtTheSameTargets) {
-  const ModelPointer native = LoadedModel(ShoulderXml(Actuation::kPosition));
+  const ModelPointer native = LoadedModel(ShoulderXml({.actuation = Actuation::kPosition}));
   const DataPointer native_data = MakeData(*native);
-  const ShoulderRhythm rhythm(BuiltInRhythmTable());
+  const ShoulderRhythm rhythm = BuiltInRhythm();
   constexpr int kSteps = 2000;
   for (int step = 0; step < kSteps; ++step) {
     const double share = static_cast<double>(step) / kSteps;
-    const ArmCommand command{RadiansFromDegrees(15 + 105 * share),
-                             RadiansFromDegrees(45 - 45 * std::cos(9 * share)),
+    const ArmCommand command{RadiansFromDegrees(170 * share),
+                             RadiansFromDegrees(50 - 70 * std::cos(9 * share)),
                              0.3 * std::sin(20 * share)};
     data_->ctrl[0] = command.elevation_rad;
     data_->ctrl[1] = command.plane_rad;
     data_->ctrl[2] = command.axial_rad;
-    const JointAngles target_rad = AnglesFromPose(rhythm.Solve(command).pose);
+    const JointAngles target_rad = TargetsOf(rhythm, command);
     std::copy(target_rad.begin(), target_rad.end(), native_data->ctrl);
     mj_step(model_.get(), data_.get());
     mj_step(native.get(), native_data.get());
@@ -140,14 +166,18 @@ std::vector<double> StepDifference(const mjModel& model, const mjData& data, int
   return difference;
 }
 
-TEST_F(PluginTest, TransitionDerivativesAreThoseOfWholeStepsForAllControls) {
+TEST_F(FullPluginTest, TransitionDerivativesAreThoseOfWholeStepsForAllControls) {
+  const int controls = static_cast<int>(model_->nu);
   std::mt19937 random(3);
   for (int sample = 0; sample < 5; ++sample) {
     Randomise(random);
+    for (std::size_t rate = kCommandCount + kOffsetCount; rate < kAllCommandCount; ++rate) {
+      data_->ctrl[rate] = Draw(random, -1, 1);
+    }
     mj_forward(model_.get(), data_.get());
-    std::vector<mjtNum> B(2 * kPositions * kControls);
+    std::vector<mjtNum> B(static_cast<std::size_t>(2 * kPositions * controls));
     mjd_transitionFD(model_.get(), data_.get(), 1e-6, true, nullptr, B.data(), nullptr, nullptr);
-    for (int control = 0; control < kControls; ++control) {
+    for (int control = 0; control < controls; ++control) {
       const std::vector<double> expected = StepDifference(*model_, *data_, control);
       double largest = 0;
       for (const double entry : expected) {
@@ -155,95 +185,50 @@ TEST_F(PluginTest, TransitionDerivativesAreThoseOfWholeStepsForAllControls) {
       }
       ASSERT_GT(largest, 0.01) << "control " << control << " moves nothing";
       for (int row = 0; row < 2 * kPositions; ++row) {
-        EXPECT_NEAR(B[row * kControls + control], expected[row], 1e-4 * largest)
+        EXPECT_NEAR(B[row * controls + control], expected[row], 1e-4 * largest)
             << "sample " << sample << ", control " << control << ", row " << row;
       }
     }
   }
 }
 
-TEST_F(PluginTest, SensorDerivativesAreThoseOfTheTargets) {
-  const ShoulderRhythm rhythm(BuiltInRhythmTable());
-  std::mt19937 random(4);
-  Randomise(random);
+TEST_F(PluginTest, CommandsBehindTheBodyEndWhereAnArmDoes) {
+  const ShoulderRhythm rhythm = BuiltInRhythm();
+  SetCommand({RadiansFromDegrees(90), RadiansFromDegrees(-60)});
   mj_forward(model_.get(), data_.get());
-  std::vector<mjtNum> D(model_->nsensordata * kControls);
-  mjd_transitionFD(model_.get(), data_.get(), 1e-6, true, nullptr, nullptr, nullptr, D.data());
-  constexpr double kNudge = 1e-5;
-  const auto targets = [&](double elevation_rad) {
-    return AnglesFromPose(rhythm.Solve({elevation_rad, data_->ctrl[1], data_->ctrl[2]}).pose);
-  };
-  const JointAngles above = targets(data_->ctrl[0] + kNudge);
-  const JointAngles below = targets(data_->ctrl[0] - kNudge);
-  for (std::size_t k = 0; k < kCoordinateCount; ++k) {
-    // Two central differences of different width, over a curve whose third derivative is below 100.
-    EXPECT_NEAR(D[(sensor_layout::kTarget + k) * kControls], (above[k] - below[k]) / (2 * kNudge),
-                1e-6)
-        << kCoordinateNames[k];
-  }
+  EXPECT_EQ(data_->sensordata[sensor_layout::kCommanded], RadiansFromDegrees(90));
+  EXPECT_EQ(data_->sensordata[sensor_layout::kCommanded + 1], RadiansFromDegrees(-30));
+  const JointAngles expected = TargetsOf(rhythm, {RadiansFromDegrees(90), RadiansFromDegrees(-30)});
+  EXPECT_TRUE(
+      std::equal(expected.begin(), expected.end(), data_->sensordata + sensor_layout::kTarget));
+  // The distance is that of the command itself: 60 deg from the frontal plane, in the horizontal.
+  EXPECT_NEAR(data_->sensordata[sensor_layout::kDistance], RadiansFromDegrees(60), 1e-12);
 }
 
-TEST_F(PluginTest, SensorReportsWhatTheBodiesDo) {
-  const ShoulderRhythm rhythm(BuiltInRhythmTable());
-  const ArmCommand command{RadiansFromDegrees(70), RadiansFromDegrees(30), 0.2};
-  const ShoulderPose pose = rhythm.Solve(command).pose;
-  const JointAngles angles_rad = AnglesFromPose(pose);
-  data_->ctrl[0] = command.elevation_rad;
-  data_->ctrl[1] = command.plane_rad;
-  data_->ctrl[2] = command.axial_rad;
-  std::copy(angles_rad.begin(), angles_rad.end(), data_->qpos);
-  data_->qpos[kGhAxialIndex] -= 0.125;
-  mj_forward(model_.get(), data_.get());
-  const mjtNum* values = data_->sensordata;
-  const ArmAngles arm = ArmAnglesFromRotation(pose.q_TH());
-  constexpr double kRounding_rad = 1e-12;
-  EXPECT_EQ(values[sensor_layout::kCommanded], command.elevation_rad);
-  EXPECT_EQ(values[sensor_layout::kCommanded + 1], command.plane_rad);
-  EXPECT_EQ(values[sensor_layout::kCommanded + 2], command.axial_rad);
-  EXPECT_NEAR(values[sensor_layout::kReached], arm.elevation_rad, kRounding_rad);
-  EXPECT_NEAR(values[sensor_layout::kReached + 1], arm.plane_rad, kRounding_rad);
-  EXPECT_NEAR(values[sensor_layout::kReached + 2], command.axial_rad - 0.125, kRounding_rad);
-  EXPECT_NEAR(values[sensor_layout::kError + kGhAxialIndex], 0.125, kRounding_rad);
-  EXPECT_EQ(values[sensor_layout::kDistance], 0);
-}
+class PublishedPluginTest : public PluginTest {
+ protected:
+  PublishedPluginTest() : PluginTest(ShoulderXml({}, kAsPublished)) {}
+};
 
-TEST_F(PluginTest, CommandsOutsideTheTableAreClampedAndTheirDistanceIsReported) {
-  data_->ctrl[0] = RadiansFromDegrees(123);
-  data_->ctrl[1] = RadiansFromDegrees(94);
+TEST_F(PublishedPluginTest, CommandsOutsideTheTableAreClampedAndTheirDistanceIsReported) {
+  SetCommand({RadiansFromDegrees(123), RadiansFromDegrees(94)});
   mj_forward(model_.get(), data_.get());
-  const ShoulderRhythm rhythm(BuiltInRhythmTable());
   const JointAngles corner =
-      AnglesFromPose(rhythm.Solve({RadiansFromDegrees(120), RadiansFromDegrees(90), 0}).pose);
+      TargetsOf(BuiltInRhythm(kAsPublished), {RadiansFromDegrees(120), RadiansFromDegrees(90)});
   for (std::size_t k = 0; k < kCoordinateCount; ++k) {
     EXPECT_EQ(data_->sensordata[sensor_layout::kTarget + k], corner[k]) << kCoordinateNames[k];
   }
-  // 3 and 4 degrees outside: 5 by Pythagoras.
-  EXPECT_NEAR(data_->sensordata[sensor_layout::kDistance], RadiansFromDegrees(5), 1e-12);
-}
-
-TEST_F(PluginTest, ControlsThatAreNotFiniteCountAsZero) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  // Along a meridian, and along the equator.
+  SetCommand({RadiansFromDegrees(123), RadiansFromDegrees(90)});
   mj_forward(model_.get(), data_.get());
-  const std::vector<mjtNum> zero_forces(forces(), forces() + kCoordinateCount);
-  const std::vector<mjtNum> zero_sensor(data_->sensordata, data_->sensordata + model_->nsensordata);
-  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), kInfinity, -kInfinity}) {
-    for (int control = 0; control < kControls; ++control) {
-      mj_resetData(model_.get(), data_.get());
-      data_->ctrl[control] = bad;
-      mj_forward(model_.get(), data_.get());
-      EXPECT_EQ(std::vector(forces(), forces() + kCoordinateCount), zero_forces)
-          << bad << " in control " << control;
-      EXPECT_EQ(std::vector(data_->sensordata, data_->sensordata + model_->nsensordata),
-                zero_sensor)
-          << bad << " in control " << control;
-    }
-  }
-  // MuJoCo itself complains of such controls, and is meant to.
-  EXPECT_THROW(EngineWatch::ExpectNoWarning("controls that are not finite"), InputError);
+  EXPECT_NEAR(data_->sensordata[sensor_layout::kDistance], RadiansFromDegrees(3), 1e-12);
+  SetCommand({RadiansFromDegrees(90), RadiansFromDegrees(94)});
+  mj_forward(model_.get(), data_.get());
+  EXPECT_NEAR(data_->sensordata[sensor_layout::kDistance], RadiansFromDegrees(4), 1e-12);
 }
 
 TEST_F(PluginTest, HeedsControlRangesAsTheModelHasThemNow) {
-  data_->ctrl[kCommandCount] = 5;  // a trim far beyond its range
+  trims()[0] = 5;  // a trim far beyond its range
   mj_forward(model_.get(), data_.get());
   const double limited = forces()[0];
   model_->opt.disableflags |= mjDSBL_CLAMPCTRL;
@@ -255,6 +240,85 @@ TEST_F(PluginTest, HeedsControlRangesAsTheModelHasThemNow) {
   model_->actuator_ctrllimited[kCommandCount] = false;
   mj_forward(model_.get(), data_.get());
   EXPECT_NEAR(forces()[0], stiffness * 5, 1e-9);
+}
+
+TEST_F(PluginTest, HeedsDisabledActuatorGroups) {
+  constexpr int kGroup = 3;
+  for (int actuator = commands_ + 4; actuator < model_->nactuator; ++actuator) {
+    model_->actuator_group[actuator] = kGroup;
+  }
+  const DataPointer data = MakeData(*model_);
+  data->ctrl[0] = 1;
+  mj_forward(model_.get(), data.get());
+  const std::vector<mjtNum> all(data->actuator_force + commands_,
+                                data->actuator_force + model_->nactuator);
+  model_->opt.disableactuator = 1 << kGroup;
+  mj_forward(model_.get(), data.get());
+  for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+    EXPECT_NE(all[k], 0) << kCoordinateNames[k];
+    EXPECT_EQ(data->actuator_force[commands_ + static_cast<int>(k)], k < 4 ? all[k] : 0)
+        << kCoordinateNames[k];
+  }
+}
+
+TEST_F(FullPluginTest, RepeatsItselfToTheLastBitWhateverWasCommandedBefore) {
+  std::mt19937 random(8);
+  const DataPointer used = MakeData(*model_);
+  for (int sample = 0; sample < 50; ++sample) {
+    Randomise(random);
+    data_->ctrl[kCommandCount + kOffsetCount] = Draw(random, -2, 2);
+    // The other state comes from elsewhere.
+    used->ctrl[0] = Draw(random, 0, 3);
+    used->ctrl[1] = Draw(random, -1, 2);
+    mj_step(model_.get(), used.get());
+    std::copy_n(data_->ctrl, model_->nu, used->ctrl);
+    std::copy_n(data_->qpos, model_->nq, used->qpos);
+    std::copy_n(data_->qvel, model_->nv, used->qvel);
+    std::copy_n(data_->qacc_warmstart, model_->nv, used->qacc_warmstart);
+    const DataPointer fresh(mj_copyData(nullptr, model_.get(), data_.get()));
+    for (mjData* data : {data_.get(), used.get(), fresh.get()}) {
+      mj_step(model_.get(), data);
+    }
+    for (const mjData* data : {used.get(), fresh.get()}) {
+      EXPECT_TRUE(std::equal(data->qpos, data->qpos + model_->nq, data_->qpos)) << sample;
+      EXPECT_TRUE(std::equal(data->actuator_force, data->actuator_force + model_->nactuator,
+                             data_->actuator_force))
+          << sample;
+      EXPECT_TRUE(
+          std::equal(data->sensordata, data->sensordata + model_->nsensordata, data_->sensordata))
+          << sample;
+    }
+  }
+}
+
+// A state written over one with another command has the targets of the command it got.
+TEST_F(PluginTest, StatesCopiedOverOthersForgetTheirCommands) {
+  const DataPointer other = MakeData(*model_);
+  SetCommand({RadiansFromDegrees(100), RadiansFromDegrees(20)});
+  other->ctrl[0] = RadiansFromDegrees(40);
+  mj_forward(model_.get(), data_.get());
+  mj_forward(model_.get(), other.get());
+  mj_copyData(other.get(), model_.get(), data_.get());
+  mj_forward(model_.get(), other.get());
+  EXPECT_TRUE(std::equal(other->actuator_force, other->actuator_force + model_->nactuator,
+                         data_->actuator_force));
+  EXPECT_EQ(std::vector(other->sensordata, other->sensordata + model_->nsensordata),
+            SensorValues());
+}
+
+TEST_F(FullPluginTest, HoldsEveryKeyframe) {
+  constexpr double kHeld_deg = 1e-6;
+  for (int key = 0; key < model_->nkey; ++key) {
+    mj_resetDataKeyframe(model_.get(), data_.get(), key);
+    while (data_->time < 2) {
+      mj_step(model_.get(), data_.get());
+    }
+    for (int k = 0; k < kPositions; ++k) {
+      EXPECT_NEAR(DegreesFromRadians(data_->qpos[k]),
+                  DegreesFromRadians(model_->key_qpos[key * model_->nq + k]), kHeld_deg)
+          << model_->names + model_->name_keyadr[key] << ", " << kCoordinateNames[k];
+    }
+  }
 }
 
 TEST_F(PluginTest, TwoStatesOfOneModelDoNotDisturbEachOther) {
@@ -316,8 +380,9 @@ TEST_F(PluginTest, ResetModelStandsStill) {
 
 TEST_F(PluginTest, KeepsNoStateInTheModelsState) { EXPECT_EQ(model_->npluginstate, 0); }
 
-TEST_F(PluginTest, FollowsTheInterpolationOfItsConfiguration) {
-  const ModelPointer slerp = LoadedModel(ShoulderXml(Actuation::kPlugin, Interpolation::kSlerp));
+TEST_F(PublishedPluginTest, FollowsTheInterpolationOfItsConfiguration) {
+  constexpr RhythmOptions kSlerp = {Interpolation::kSlerp, Closure::kTable};
+  const ModelPointer slerp = LoadedModel(ShoulderXml({}, kSlerp));
   const DataPointer slerp_data = MakeData(*slerp);
   const ArmCommand command{RadiansFromDegrees(22.5), RadiansFromDegrees(20), 0};
   for (mjData* data : {data_.get(), slerp_data.get()}) {
@@ -325,10 +390,7 @@ TEST_F(PluginTest, FollowsTheInterpolationOfItsConfiguration) {
     data->ctrl[1] = command.plane_rad;
   }
   mj_forward(slerp.get(), slerp_data.get());
-  const JointAngles expected =
-      AnglesFromPose(ShoulderRhythm(BuiltInRhythmTable(), {Interpolation::kSlerp, Closure::kTable})
-                         .Solve(command)
-                         .pose);
+  const JointAngles expected = TargetsOf(BuiltInRhythm(kSlerp), command);
   mj_forward(model_.get(), data_.get());
   double largest_difference = 0;
   for (std::size_t k = 0; k < kCoordinateCount; ++k) {
@@ -358,7 +420,8 @@ TEST_F(PluginTest, WorksAttachedWithAPrefixThatLooksLikeARole) {
   mj_forward(model_.get(), data_.get());
   mj_forward(attached.get(), attached_data.get());
   for (std::size_t k = 0; k < kCoordinateCount; ++k) {
-    EXPECT_EQ(attached_data->actuator_force[kCommandCount + k], forces()[k]) << kCoordinateNames[k];
+    EXPECT_EQ(attached_data->actuator_force[commands_ + static_cast<int>(k)], forces()[k])
+        << kCoordinateNames[k];
   }
   mj_deleteSpec(parent);
   mj_deleteSpec(child);
@@ -370,6 +433,7 @@ struct BadModel {
   const char* from;
   const char* to;
   const char* message;
+  RhythmOptions options = {};
 };
 
 class PluginRefusal : public EngineTest, public testing::WithParamInterface<BadModel> {};
@@ -377,7 +441,7 @@ class PluginRefusal : public EngineTest, public testing::WithParamInterface<BadM
 TEST_P(PluginRefusal, NamesTheInstanceAndTheFix) {
   const BadModel& bad = GetParam();
   try {
-    (void)LoadedModel(Replaced(ShoulderXml(), bad.from, bad.to));
+    (void)LoadedModel(Replaced(ShoulderXml({}, bad.options), bad.from, bad.to));
     FAIL() << "loaded";
   } catch (const InputError& error) {
     const std::string reason = error.what();
@@ -389,17 +453,33 @@ TEST_P(PluginRefusal, NamesTheInstanceAndTheFix) {
 INSTANTIATE_TEST_SUITE_P(
     Models, PluginRefusal,
     testing::Values(
-        BadModel{"UnknownInterpolation", "value=\"squad\"", "value=\"cubic\"",
-                 "interpolation is \"cubic\", expected \"squad\" or \"slerp\""},
-        BadModel{"UnknownClosure", "key=\"closure\" value=\"table\"",
-                 "key=\"closure\" value=\"open\"", "closure is \"open\", expected \"table\""},
+        BadModel{"UnknownInterpolation", "value=\"smooth\"", "value=\"cubic\"",
+                 "interpolation is \"cubic\", expected \"smooth\" or \"squad\" or \"slerp\""},
+        BadModel{"UnknownClosure", "key=\"closure\" value=\"exact\"",
+                 "key=\"closure\" value=\"open\"",
+                 "closure is \"open\", expected \"exact\" or \"table\""},
+        BadModel{"UnknownRange", "key=\"range\" value=\"whole\"", "key=\"range\" value=\"half\"",
+                 "range is \"half\", expected \"whole\" or \"clamp\""},
+        BadModel{
+            "WholeRangeOfSquad", "key=\"range\" value=\"clamp\"", "key=\"range\" value=\"whole\"",
+            "the range whole needs the interpolation smooth and the closure exact", kAsPublished},
+        BadModel{"RatesOfSquad", "<plugin name=\"plane_r\"",
+                 "<plugin name=\"plane_rate_r\" joint=\"gh_axial_r\" instance=\"rhythm_r\" "
+                 "gear=\"0\"/><plugin name=\"plane_r\"",
+                 "there are rate commands (elevation_rate and so on), and the interpolation is "
+                 "squad, which has no rates. Remove them, or use the interpolation smooth",
+                 kAsPublished},
+        BadModel{"TwoShrugs", "<plugin name=\"plane_r\"",
+                 "<plugin name=\"shrug_r\" joint=\"gh_axial_r\" instance=\"rhythm_r\" "
+                 "gear=\"0\"/><plugin name=\"left_shrug\" joint=\"gh_axial_r\" "
+                 "instance=\"rhythm_r\" gear=\"0\"/><plugin name=\"plane_r\"",
+                 "is a second command actuator (gear 0) for shrug. Remove one"},
         BadModel{"StiffnessOfTwoNumbers", "key=\"kp\" value=\"1500 1500", "key=\"kp\" value=\"1500",
                  "kp is"},
         BadModel{"NegativeStiffness", "key=\"kp\" value=\"1500", "key=\"kp\" value=\"-1500",
                  "expected one positive number"},
-        BadModel{"BrokenTable", "<config key=\"closure\"",
-                 "<config key=\"table\" value=\"plane_deg;0\"/><config key=\"closure\"",
-                 "column 'elevation_deg' is missing"},
+        BadModel{"BrokenTable", "key=\"table\" value=\"destepped\"",
+                 "key=\"table\" value=\"plane_deg;0\"", "column 'elevation_deg' is missing"},
         BadModel{"NoElevationCommand",
                  "<plugin name=\"elevation_r\" joint=\"gh_axial_r\" instance=\"rhythm_r\" "
                  "gear=\"0\"",

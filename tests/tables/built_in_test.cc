@@ -9,6 +9,7 @@
 #include <fstream>
 #include <glm/geometric.hpp>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -16,6 +17,7 @@
 #include "kinematics/shipped_data.h"
 #include "kinematics/table_smoothing.h"
 #include "tables/built_in_files.h"
+#include "tables/rhythm_table_csv.h"
 
 namespace girdle {
 namespace {
@@ -41,10 +43,11 @@ INSTANTIATE_TEST_SUITE_P(
                     FileAndText("segments.csv", &built_in_files::kSegments),
                     FileAndText("joint_ranges.csv", &built_in_files::kJointRanges),
                     FileAndText("thorax_ellipsoids.csv", &built_in_files::kThoraxEllipsoids),
+                    FileAndText("postures.csv", &built_in_files::kPostures),
                     FileAndText("published_rhythms.csv", &built_in_files::kPublishedRhythms)));
 
 TEST(BuiltInRhythmTable, IsTheShippedTable) {
-  const RhythmTable table = BuiltInRhythmTable();
+  const RhythmTable table = BuiltInRhythmTable(BuiltInTable::kMeasured);
   const RhythmTable expected = TableOf(MeasuredRows());
   EXPECT_EQ(table.planes_rad(), expected.planes_rad());
   EXPECT_EQ(table.elevations_rad(), expected.elevations_rad());
@@ -57,9 +60,67 @@ TEST(BuiltInRhythmTable, IsTheShippedTable) {
   }
 }
 
-TEST(BuiltInRhythmTable, IsTheMeasuredOneUnlessToldOtherwise) {
-  EXPECT_EQ(BuiltInRhythmTable().position(1, 7).angles_rad,
-            BuiltInRhythmTable(BuiltInTable::kMeasured).position(1, 7).angles_rad);
+TEST(BuiltInTable, HasAWordThatReadsBack) {
+  for (const auto& [table, word] : {std::pair(BuiltInTable::kMeasured, "measured"),
+                                    std::pair(BuiltInTable::kDestepped, "destepped")}) {
+    EXPECT_EQ(Name(table), word);
+    EXPECT_EQ(BuiltInTableFromName(word), table);
+  }
+}
+
+TEST(BuiltInTable, HasNoOtherWords) {
+  for (const char* const word : {"", "Measured", "measured ", "measure", "ludewig2009"}) {
+    EXPECT_EQ(BuiltInTableFromName(word), std::nullopt) << word;
+  }
+}
+
+// A smooth curve swings where people dropped out; squad and slerp are as published.
+TEST(DefaultTable, IsWithoutStepsForSmoothAlone) {
+  EXPECT_EQ(DefaultTable(Interpolation::kSmooth), BuiltInTable::kDestepped);
+  EXPECT_EQ(DefaultTable(Interpolation::kSquad), BuiltInTable::kMeasured);
+  EXPECT_EQ(DefaultTable(Interpolation::kSlerp), BuiltInTable::kMeasured);
+}
+
+TEST(BuiltInRhythm, HasTheDefaultTableOfItsInterpolation) {
+  for (const Interpolation interpolation :
+       {Interpolation::kSmooth, Interpolation::kSquad, Interpolation::kSlerp}) {
+    const ShoulderRhythm rhythm = BuiltInRhythm({.interpolation = interpolation});
+    EXPECT_EQ(rhythm.options().interpolation, interpolation);
+    EXPECT_EQ(RhythmTableToLine(rhythm.table()),
+              RhythmTableToLine(BuiltInRhythmTable(DefaultTable(interpolation))))
+        << Name(interpolation);
+  }
+}
+
+TEST(BuiltInRhythm, IsSmoothAndExactOverTheWholeRangeUnlessToldOtherwise) {
+  const ShoulderRhythm rhythm = BuiltInRhythm();
+  EXPECT_EQ(rhythm.options().interpolation, Interpolation::kSmooth);
+  EXPECT_EQ(rhythm.options().closure, Closure::kExact);
+  EXPECT_EQ(rhythm.options().range, Range::kWhole);
+  const ArmRectangle& domain = rhythm.domain();
+  EXPECT_EQ(domain.lowest_elevation_rad, 0);
+  EXPECT_EQ(domain.highest_elevation_rad, kPi);
+  EXPECT_EQ(domain.first_plane_rad, RadiansFromDegrees(-60));
+  EXPECT_EQ(domain.last_plane_rad, RadiansFromDegrees(135));
+}
+
+TEST(BuiltInRhythm, IsBoundedByTheBuiltInJointRanges) {
+  const ShoulderRhythm rhythm = BuiltInRhythm();
+  const Anatomy anatomy = BuiltInAnatomy();
+  for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+    EXPECT_EQ(rhythm.ranges()[k].lower_rad, anatomy.ranges[k].lower_rad) << kCoordinateNames[k];
+    EXPECT_EQ(rhythm.ranges()[k].upper_rad, anatomy.ranges[k].upper_rad) << kCoordinateNames[k];
+  }
+}
+
+// Ludewig et al. 2009, relaxed standing.
+TEST(RelaxedStanding, HasThePublishedAngles) {
+  constexpr double kRounding = 1e-14;
+  const Posture posture = RelaxedStanding();
+  const JointAngles published_rad = Radians({-19.2, -5.9, 0, 60, -2.5, -8.4, 0, 0, 0});
+  const ShoulderPose published = PoseFromAngles(published_rad);
+  EXPECT_LT(AngleBetween(posture.q_TC, published.q_TC), kRounding);
+  EXPECT_LT(AngleBetween(posture.q_CS, published.q_CS), kRounding);
 }
 
 // The file is the fit rounded to its decimals.

@@ -12,6 +12,7 @@
 #include <ostream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tables/built_in.h"
@@ -21,24 +22,62 @@
 namespace girdle {
 namespace {
 
-// All four keys, with values that no other key would take.
+// All five keys, with values that no other key would take.
 RhythmConfigText ValidText() {
-  return {"slerp", "table", RhythmTableToLine(BuiltInRhythmTable()), "1 2 3 4 5 6 7 8 9"};
+  return {"slerp", "table", "clamp", RhythmTableToLine(BuiltInRhythmTable(BuiltInTable::kMeasured)),
+          "1 2 3 4 5 6 7 8 9"};
+}
+
+ShoulderRhythm RhythmOf(const RhythmConfigText& text) {
+  return ConfiguredRhythm(ParseRhythmConfig(text), ShoulderRhythm::Unbounded());
 }
 
 // Two planes of two elevations.
 RhythmTable SmallTable() { return {{0, 1}, {0.5, 1}, std::vector<RhythmPosition>(4)}; }
 
-TEST(RhythmConfig, IsAsPublishedIfNothingIsSaid) {
-  const RhythmConfig config = ParseRhythmConfig({});
-  EXPECT_EQ(config.rhythm.options().interpolation, Interpolation::kSquad);
-  EXPECT_EQ(config.rhythm.options().closure, Closure::kTable);
+TEST(RhythmConfig, IsSmoothAndExactOverTheWholeRangeIfNothingIsSaid) {
+  const RhythmOptions options = RhythmOf({}).options();
+  EXPECT_EQ(options.interpolation, Interpolation::kSmooth);
+  EXPECT_EQ(options.closure, Closure::kExact);
+  EXPECT_EQ(options.range, Range::kWhole);
 }
 
-TEST(RhythmConfig, HasTheBuiltInTableIfNoneIsGiven) {
-  EXPECT_EQ(RhythmTableToLine(ParseRhythmConfig({}).rhythm.table()),
-            RhythmTableToLine(BuiltInRhythmTable()));
+// Where there is no rule for the whole range, the table's nearest point answers.
+TEST(RhythmConfig, ClampsToTheTableWhereNothingElseIsKnown) {
+  for (const auto& [interpolation, closure] :
+       {std::pair("squad", "table"), std::pair("squad", "exact"), std::pair("smooth", "table")}) {
+    EXPECT_EQ(RhythmOf({interpolation, closure, "", "", ""}).options().range, Range::kClamp)
+        << interpolation << ", " << closure;
+  }
 }
+
+struct TableChoice {
+  const char* interpolation;
+  const char* table;
+  BuiltInTable expected;
+};
+
+void PrintTo(const TableChoice& choice, std::ostream* out) {
+  *out << choice.interpolation << " with table '" << choice.table << "'";
+}
+
+class ChosenTable : public testing::TestWithParam<TableChoice> {};
+
+TEST_P(ChosenTable, IsTheOneNamedOrTheInterpolationsOwn) {
+  const RhythmConfig config =
+      ParseRhythmConfig({GetParam().interpolation, "", "", GetParam().table, ""});
+  EXPECT_EQ(RhythmTableToLine(config.table),
+            RhythmTableToLine(BuiltInRhythmTable(GetParam().expected)));
+}
+
+INSTANTIATE_TEST_SUITE_P(Words, ChosenTable,
+                         testing::Values(TableChoice{"", "", BuiltInTable::kDestepped},
+                                         TableChoice{"smooth", "", BuiltInTable::kDestepped},
+                                         TableChoice{"squad", "", BuiltInTable::kMeasured},
+                                         TableChoice{"slerp", "", BuiltInTable::kMeasured},
+                                         TableChoice{"smooth", "measured", BuiltInTable::kMeasured},
+                                         TableChoice{"squad", "destepped",
+                                                     BuiltInTable::kDestepped}));
 
 TEST(RhythmConfig, HasOnePositiveStiffnessIfNoneIsGiven) {
   const auto stiffness = ParseRhythmConfig({}).stiffness_N_m_per_rad;
@@ -48,21 +87,33 @@ TEST(RhythmConfig, HasOnePositiveStiffnessIfNoneIsGiven) {
 }
 
 TEST(RhythmConfig, TakesTheInterpolation) {
-  for (const char* const name : {"squad", "slerp"}) {
+  for (const char* const name : {"smooth", "squad", "slerp"}) {
     RhythmConfigText text = ValidText();
     text.interpolation = name;
-    EXPECT_EQ(Name(ParseRhythmConfig(text).rhythm.options().interpolation), name);
+    EXPECT_EQ(Name(ParseRhythmConfig(text).options.interpolation), name);
   }
 }
 
 TEST(RhythmConfig, TakesTheClosure) {
-  EXPECT_EQ(ParseRhythmConfig(ValidText()).rhythm.options().closure, Closure::kTable);
+  for (const char* const name : {"exact", "table"}) {
+    RhythmConfigText text = ValidText();
+    text.closure = name;
+    EXPECT_EQ(Name(ParseRhythmConfig(text).options.closure), name);
+  }
+}
+
+TEST(RhythmConfig, TakesTheRange) {
+  for (const char* const name : {"whole", "clamp"}) {
+    RhythmConfigText text = ValidText();
+    text.range = name;
+    EXPECT_EQ(Name(ParseRhythmConfig(text).options.range.value()), name);
+  }
 }
 
 TEST(RhythmConfig, TakesATable) {
   RhythmConfigText text = ValidText();
   text.table = RhythmTableToLine(SmallTable());
-  EXPECT_EQ(ParseRhythmConfig(text).rhythm.table().elevations_rad(), SmallTable().elevations_rad());
+  EXPECT_EQ(ParseRhythmConfig(text).table.elevations_rad(), SmallTable().elevations_rad());
 }
 
 TEST(RhythmConfig, TakesNineStiffnessesInOrder) {
@@ -106,9 +157,11 @@ INSTANTIATE_TEST_SUITE_P(
     OneKeyEach, FlawedConfig,
     testing::Values(
         ConfigFlaw{"interpolation", [](RhythmConfigText& text) { text.interpolation = "linear"; },
-                   "interpolation is \"linear\", expected \"squad\" or \"slerp\""},
+                   "interpolation is \"linear\", expected \"smooth\" or \"squad\" or \"slerp\""},
         ConfigFlaw{"closure", [](RhythmConfigText& text) { text.closure = "Table"; },
-                   "closure is \"Table\", expected \"table\""},
+                   "closure is \"Table\", expected \"exact\" or \"table\""},
+        ConfigFlaw{"range", [](RhythmConfigText& text) { text.range = "all"; },
+                   "range is \"all\", expected \"whole\" or \"clamp\""},
         ConfigFlaw{"two stiffnesses", [](RhythmConfigText& text) { text.stiffness = "1 2"; },
                    "kp is \"1 2\", expected one positive number of N m/rad, or nine in the order "
                    "sc, ac, gh"},
@@ -145,18 +198,64 @@ TEST(RhythmConfig, SaysWhichKeyHoldsABrokenTable) {
             "config key \"table\":3: elevation_deg is '2O', expected a finite number such as 22.5");
 }
 
-// The header promises a std::runtime_error that names the key.
-TEST(RhythmConfig, SaysWhichKeyHoldsATableWithUndeterminedWays) {
-  std::vector<RhythmPosition> positions(6);
-  positions[4].angles_rad[0] = RadiansFromDegrees(100);
-  positions[5].angles_rad[0] = RadiansFromDegrees(-160);
+TEST(RhythmConfig, TakesAWordThatNamesNoTableForATable) {
   RhythmConfigText text = ValidText();
-  text.table = RhythmTableToLine({{0, 1}, {0.5, 1, 1.5}, positions});
-  std::string message;
-  ASSERT_NO_THROW(
-      message = MessageOf<std::runtime_error>([&] { static_cast<void>(ParseRhythmConfig(text)); }));
-  EXPECT_EQ(message.rfind("config key \"table\": SC turns by 180 deg or more", 0), 0U) << message;
+  text.table = "Measured";
+  const std::string message =
+      MessageOf<std::runtime_error>([&] { static_cast<void>(ParseRhythmConfig(text)); });
+  EXPECT_EQ(message.rfind("config key \"table\"", 0), 0U) << message;
 }
+
+TEST(ConfiguredRhythm, HasTheJointRangesOfTheModel) {
+  JointRanges ranges = ShoulderRhythm::Unbounded();
+  ranges[kGhAxialIndex] = {-1.25, 0.75};
+  const ShoulderRhythm rhythm = ConfiguredRhythm(ParseRhythmConfig({}), ranges);
+  EXPECT_EQ(rhythm.ranges()[kGhAxialIndex].lower_rad, -1.25);
+  EXPECT_EQ(rhythm.ranges()[kGhAxialIndex].upper_rad, 0.75);
+}
+
+// What a configuration's words or its table do not go together for.
+struct UnfitConfig {
+  const char* name;
+  std::function<void(RhythmConfigText&)> change;
+  const char* message;
+};
+
+void PrintTo(const UnfitConfig& unfit, std::ostream* out) { *out << unfit.name; }
+
+class ConfiguredRhythmRefusal : public testing::TestWithParam<UnfitConfig> {};
+
+TEST_P(ConfiguredRhythmRefusal, SaysWhatDoesNotGoTogether) {
+  RhythmConfigText text = ValidText();
+  GetParam().change(text);
+  std::string message;
+  ASSERT_NO_THROW(message =
+                      MessageOf<std::runtime_error>([&] { static_cast<void>(RhythmOf(text)); }));
+  EXPECT_EQ(message.rfind(GetParam().message, 0), 0U) << message;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    OneKeyEach, ConfiguredRhythmRefusal,
+    testing::Values(
+        UnfitConfig{"the whole range with slerp",
+                    [](RhythmConfigText& text) { text.range = "whole"; },
+                    "config: the range whole needs the interpolation smooth and the closure exact: "
+                    "with others nothing is known outside the table. Choose the range clamp"},
+        UnfitConfig{"a table too small for smooth",
+                    [](RhythmConfigText& text) {
+                      text.interpolation = "smooth";
+                      text.table = RhythmTableToLine(SmallTable());
+                    },
+                    "config: "},
+        UnfitConfig{"a table whose ways between planes are not determined",
+                    [](RhythmConfigText& text) {
+                      std::vector<RhythmPosition> positions(6);
+                      positions[4].angles_rad[0] = RadiansFromDegrees(100);
+                      positions[5].angles_rad[0] = RadiansFromDegrees(-160);
+                      text.table = RhythmTableToLine({{0, 1}, {0.5, 1, 1.5}, positions});
+                    },
+                    "config: SC turns by 180 deg or more between planes"}),
+    [](const auto& parameter) { return "Config" + std::to_string(parameter.index); });
 
 }  // namespace
 }  // namespace girdle

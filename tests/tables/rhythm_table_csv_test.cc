@@ -130,7 +130,7 @@ TEST(ReadRhythmTable, TakesColumnsInAnyOrder) {
   CsvText text = BuiltInText();
   std::reverse(text.columns.begin(), text.columns.end());
   for (std::vector<std::string>& row : text.rows) std::reverse(row.begin(), row.end());
-  ExpectSamePositions(Read(text.Text()), BuiltInRhythmTable());
+  ExpectSamePositions(Read(text.Text()), BuiltInRhythmTable(BuiltInTable::kMeasured));
 }
 
 TEST(ReadRhythmTable, TakesAnglesOfHalfATurn) {
@@ -248,29 +248,50 @@ std::string DataFile(const std::string& name) {
   return std::string(GIRDLE_SOURCE_DIR) + "/data/" + name;
 }
 
+ShoulderRhythm ReadUnbounded(const std::string& path, const RhythmOptions& options = {}) {
+  return ReadShoulderRhythm(path, options, ShoulderRhythm::Unbounded());
+}
+
 TEST(ReadShoulderRhythm, ReadsTheShippedFile) {
-  ExpectSamePositions(ReadShoulderRhythm(DataFile("ludewig2009.csv"), {}).table(),
-                      BuiltInRhythmTable());
+  ExpectSamePositions(ReadUnbounded(DataFile("ludewig2009.csv")).table(),
+                      BuiltInRhythmTable(BuiltInTable::kMeasured));
 }
 
 TEST(ReadShoulderRhythm, TakesItsOptions) {
-  EXPECT_EQ(ReadShoulderRhythm(DataFile("ludewig2009.csv"), {Interpolation::kSlerp, {}})
+  EXPECT_EQ(ReadUnbounded(DataFile("ludewig2009.csv"), {Interpolation::kSlerp, Closure::kTable})
                 .options()
                 .interpolation,
             Interpolation::kSlerp);
 }
 
+TEST(ReadShoulderRhythm, TakesItsJointRanges) {
+  JointRanges ranges = ShoulderRhythm::Unbounded();
+  ranges[kGhAxialIndex] = {-1.25, 0.75};
+  const ShoulderRhythm rhythm = ReadShoulderRhythm(DataFile("ludewig2009.csv"), {}, ranges);
+  EXPECT_EQ(rhythm.ranges()[kGhAxialIndex].lower_rad, -1.25);
+  EXPECT_EQ(rhythm.ranges()[kGhAxialIndex].upper_rad, 0.75);
+}
+
+TEST(ReadShoulderRhythm, NamesTheFileThatHasNoRuleForTheRangeWanted) {
+  const std::string path = DataFile("ludewig2009.csv");
+  EXPECT_EQ(MessageOf<InputError>([&] {
+              static_cast<void>(
+                  ReadUnbounded(path, {Interpolation::kSquad, Closure::kExact, Range::kWhole}));
+            }),
+            path +
+                ": the range whole needs the interpolation smooth and the closure exact: with "
+                "others nothing is known outside the table. Choose the range clamp");
+}
+
 TEST(ReadShoulderRhythm, NamesAFileThatIsNotThereAndWhy) {
-  EXPECT_EQ(
-      MessageOf<InputError>([] { static_cast<void>(ReadShoulderRhythm("no/such/table.csv", {})); }),
-      "no/such/table.csv: cannot be opened: No such file or directory. Check the name and "
-      "its permissions");
+  EXPECT_EQ(MessageOf<InputError>([] { static_cast<void>(ReadUnbounded("no/such/table.csv")); }),
+            "no/such/table.csv: cannot be opened: No such file or directory. Check the name and "
+            "its permissions");
 }
 
 TEST(ReadShoulderRhythm, RefusesAFolder) {
-  EXPECT_EQ(
-      MessageOf<InputError>([] { static_cast<void>(ReadShoulderRhythm(GIRDLE_SOURCE_DIR, {})); }),
-      std::string(GIRDLE_SOURCE_DIR) + ": is a folder. Name a file in it");
+  EXPECT_EQ(MessageOf<InputError>([] { static_cast<void>(ReadUnbounded(GIRDLE_SOURCE_DIR)); }),
+            std::string(GIRDLE_SOURCE_DIR) + ": is a folder. Name a file in it");
 }
 
 // A file of the test's own, gone with the test.
@@ -288,7 +309,7 @@ TEST_F(OwnFile, OfABrokenTableIsNamedWithItsLine) {
   CsvText text = BuiltInText();
   text.Cell(6, "gh_flexion_deg") = "7O";
   Write(text.Text());
-  EXPECT_EQ(MessageOf<InputError>([&] { static_cast<void>(ReadShoulderRhythm(path_, {})); }),
+  EXPECT_EQ(MessageOf<InputError>([&] { static_cast<void>(ReadUnbounded(path_)); }),
             path_ + ":8: gh_flexion_deg is '7O', expected a finite number such as 22.5");
 }
 
@@ -300,14 +321,15 @@ TEST_F(OwnFile, OfATableWithUndeterminedWaysIsNamed) {
     text.Cell(row, "sc_protraction_deg") = elevation == 0 ? "-20" : elevation == 1 ? "80" : "180";
   }
   Write(text.Text());
-  const std::string message =
-      MessageOf<InputError>([&] { static_cast<void>(ReadShoulderRhythm(path_, {})); });
+  const std::string message = MessageOf<InputError>([&] {
+    static_cast<void>(ReadUnbounded(path_, {Interpolation::kSquad, Closure::kTable}));
+  });
   EXPECT_EQ(message.rfind(path_ + ": SC turns by 180 deg or more between planes", 0), 0U)
       << message;
 }
 
 TEST(RhythmTableToCsv, IsTheTextOfTheFileWithTheseComments) {
-  EXPECT_EQ(RhythmTableToCsv(BuiltInRhythmTable(), {"# one", "#two"}, 1),
+  EXPECT_EQ(RhythmTableToCsv(BuiltInRhythmTable(BuiltInTable::kMeasured), {"# one", "#two"}, 1),
             "# one\n#two\n" + BuiltInText().Text());
 }
 
@@ -327,12 +349,13 @@ TEST(RhythmTableToLine, IsTheTextOfTheFileInOneLine) {
   std::string expected = BuiltInText().Text();
   expected.pop_back();
   std::replace(expected.begin(), expected.end(), '\n', ';');
-  EXPECT_EQ(RhythmTableToLine(BuiltInRhythmTable()), expected);
+  EXPECT_EQ(RhythmTableToLine(BuiltInRhythmTable(BuiltInTable::kMeasured)), expected);
 }
 
 TEST(RhythmTableFromLine, GivesBackTheBuiltInTable) {
-  ExpectSamePositions(RhythmTableFromLine(RhythmTableToLine(BuiltInRhythmTable()), "t.csv"),
-                      BuiltInRhythmTable());
+  ExpectSamePositions(
+      RhythmTableFromLine(RhythmTableToLine(BuiltInRhythmTable(BuiltInTable::kMeasured)), "t.csv"),
+      BuiltInRhythmTable(BuiltInTable::kMeasured));
 }
 
 TEST(RhythmTableFromLine, CountsARowAsALine) {

@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+/// Rates of the commands: what the plugin feeds forward, and how much less the joints lag for it.
+#include <gtest/gtest.h>
+#include <mujoco/mujoco.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "mjcf/joint_dynamics.h"
+#include "simulation/motion.h"
+#include "simulation/plugin_fixture.h"
+#include "simulation/shoulder_simulation.h"
+#include "tables/built_in.h"
+
+namespace girdle {
+namespace {
+
+constexpr int kFirstRate = kCommandCount + kOffsetCount;
+
+class FeedForwardTest : public FullPluginTest {
+ protected:
+  void SetRates(const CommandRate& rates) const {
+    std::copy(rates.begin(), rates.end(), data_->ctrl + kFirstRate);
+  }
+
+  // What the rates add to the forces.
+  [[nodiscard]] std::array<double, kCoordinateCount> Added(const CommandRate& rates) const {
+    SetRates({});
+    mj_forward(model_.get(), data_.get());
+    const std::vector<mjtNum> without(forces(), forces() + kPositions);
+    SetRates(rates);
+    mj_forward(model_.get(), data_.get());
+    std::array<double, kCoordinateCount> added{};
+    for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+      added[k] = forces()[k] - without[k];
+    }
+    return added;
+  }
+
+  void ExpectNothingAdded(const CommandRate& rates, const std::string& when) const {
+    for (const double force_N_m : Added(rates)) {
+      EXPECT_EQ(force_N_m, 0) << when;
+    }
+  }
+
+  const ShoulderRhythm rhythm_ = BuiltInRhythm();
+};
+
+TEST_F(FeedForwardTest, AddsDampingTimesTheRateOfTheTarget) {
+  std::mt19937 random(21);
+  for (int sample = 0; sample < 500; ++sample) {
+    const ArmCommand command{DrawDegrees(random, 1, 179), DrawDegrees(random, -29, 134),
+                             DrawDegrees(random, -10, 10), DrawDegrees(random, -5, 5),
+                             DrawDegrees(random, -5, 5)};
+    SetCommand(command);
+    RandomisePositions(random);
+    const CommandRate rates = {Draw(random, -3, 3), Draw(random, -3, 3), Draw(random, -3, 3)};
+    const auto added = Added(rates);
+    constexpr double kNudge_s = 1e-5;
+    const auto targets_at = [&](double time_s) {
+      ArmCommand moved = command;
+      moved.elevation_rad += rates[0] * time_s;
+      moved.plane_rad += rates[1] * time_s;
+      moved.axial_rad += rates[2] * time_s;
+      return TargetsOf(rhythm_, moved);
+    };
+    const JointAngles after_rad = targets_at(kNudge_s);
+    const JointAngles before_rad = targets_at(-kNudge_s);
+    for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+      const double rate_rad_per_s = (after_rad[k] - before_rad[k]) / (2 * kNudge_s);
+      // The difference leaves out rate^3 nudge^2 / 6 of a third derivative below 1e3.
+      EXPECT_NEAR(added[k], kJointDynamics[k / 3].damping_N_m_s_per_rad * rate_rad_per_s, 1e-4)
+          << "sample " << sample << ", " << kCoordinateNames[k];
+    }
+  }
+}
+
+TEST_F(FeedForwardTest, IsZeroWithoutRates) {
+  SetCommand({1, 0.5});
+  ExpectNothingAdded({0, 0, 0}, "no rates");
+}
+
+TEST_F(FeedForwardTest, AddsNothingForCommandsThatTheirRangesHoldBack) {
+  SetCommand({RadiansFromDegrees(200), RadiansFromDegrees(40)});
+  ExpectNothingAdded({1, 0, 0}, "elevation 200");
+  SetCommand({RadiansFromDegrees(90), RadiansFromDegrees(150)});
+  ExpectNothingAdded({0, 1, 0}, "plane 150");
+  SetCommand({RadiansFromDegrees(90), RadiansFromDegrees(-50)});
+  ExpectNothingAdded({0, 1, 0}, "plane -50, where an arm reaches -30");
+  SetCommand({RadiansFromDegrees(90), RadiansFromDegrees(40), 3});
+  ExpectNothingAdded({0, 0, 1}, "axial 3 rad");
+}
+
+TEST_F(FeedForwardTest, AddsNothingToAHumerusAtTheEndOfItsRange) {
+  // The control's own end, behind the body, where the hinge ends earlier.
+  SetCommand({RadiansFromDegrees(50), RadiansFromDegrees(-55), model_->actuator_ctrlrange[2 * 2]});
+  mj_forward(model_.get(), data_.get());
+  ASSERT_NE(data_->sensordata[sensor_layout::kCommanded + 2], data_->ctrl[2]);
+  EXPECT_EQ(Added({0.5, 0.5, 1})[kGhAxialIndex], 0);
+}
+
+TEST_F(FeedForwardTest, AddsNothingWhereDampingIsDisabled) {
+  model_->opt.disableflags |= mjDSBL_DAMPER;
+  SetCommand({1, 0.5});
+  ExpectNothingAdded({1, 1, 1}, "no damping");
+}
+
+TEST_F(FeedForwardTest, RatesThatAreNoNumbersAddNothing) {
+  SetCommand({1, 0.5});
+  for (const double bad : {std::nan(""), -std::nan("")}) {
+    ExpectNothingAdded({bad, bad, bad}, "NaN");
+  }
+  EXPECT_NE(TakenWarnings().find("in CTRL"), std::string::npos);
+}
+
+// Largest tracking error of any joint while the arm is raised and lowered [rad].
+double LargestLag(bool has_rates) {
+  ShoulderSimulation simulation(LoadedModel(ShoulderXml({.has_rates = has_rates})), "shoulder.xml");
+  const Motion raise = ReachingMotion("raise", {0, RadiansFromDegrees(40)},
+                                      {RadiansFromDegrees(150), RadiansFromDegrees(40)}, 2);
+  simulation.Start(raise.command(0));
+  double largest_rad = 0;
+  for (double time_s = 0; time_s < raise.duration_s; time_s += simulation.timestep_s()) {
+    const ShoulderState state =
+        simulation.Step(raise.command(time_s), RateOf(raise, time_s, simulation.timestep_s()));
+    for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+      largest_rad = std::max(largest_rad, std::abs(state.target_rad[k] - state.position_rad[k]));
+    }
+  }
+  return largest_rad;
+}
+
+// Damping over stiffness is a lag of 20 ms, 2.8 deg at the 140 deg/s of this raise. Fed forward,
+// what is left is inertia times acceleration over stiffness: of the whole arm 0.2 kg m^2 times 4
+// rad/s^2 over 500 N m/rad, 0.1 deg.
+TEST_F(EngineTest, RatesMakeARaiseLagTenTimesLess) {
+  const double without_rad = LargestLag(false);
+  const double with_rad = LargestLag(true);
+  RecordProperty("without_deg", std::to_string(DegreesFromRadians(without_rad)));
+  RecordProperty("with_deg", std::to_string(DegreesFromRadians(with_rad)));
+  EXPECT_GT(without_rad, 10 * with_rad) << "without " << DegreesFromRadians(without_rad)
+                                        << " deg, with " << DegreesFromRadians(with_rad) << " deg";
+}
+
+}  // namespace
+}  // namespace girdle
