@@ -281,26 +281,13 @@ TEST(WholeRange, TurnsNoBoneFast) {
   });
 }
 
-// Of the joints' coordinates, what the whole range needs.
-JointRanges Ranges() {
-  constexpr std::size_t kGhFlexionIndex = 7;
-  JointRanges ranges = ShippedJointRanges();
-  const auto hold = [&ranges](std::size_t k, double lower_deg, double upper_deg) {
-    ranges[k].lower_rad = std::min(ranges[k].lower_rad, RadiansFromDegrees(lower_deg));
-    ranges[k].upper_rad = std::max(ranges[k].upper_rad, RadiansFromDegrees(upper_deg));
-  };
-  hold(kGhFlexionIndex, -65, 80);
-  hold(kGhAxialIndex, -180, 60);
-  return ranges;
-}
-
 const ShoulderRhythm& Bounded() {
-  static const ShoulderRhythm kRhythm(TableOf(MeasuredRows()), {}, Ranges());
+  static const ShoulderRhythm kRhythm(TableOf(MeasuredRows()), {}, ShippedJointRanges());
   return kRhythm;
 }
 
 TEST(WholeRange, StaysInTheJointsRanges) {
-  const JointRanges ranges = Ranges();
+  const JointRanges ranges = ShippedJointRanges();
   ForEachReachable([&](double elevation_deg, double plane_deg) {
     const JointAngles angles_rad = AnglesFromPose(PoseAt_deg(elevation_deg, plane_deg));
     for (std::size_t k = 0; k < kCoordinateCount; ++k) {
@@ -575,7 +562,7 @@ class BoundedBy : public testing::TestWithParam<BoundedCoordinate> {};
 // What is used ends at the range; the rest of the command is used whole.
 TEST_P(BoundedBy, TheJointsRangeSaysHowMuchIsUsed) {
   const auto& [k, asked, sign] = GetParam();
-  const CoordinateRange range = Ranges().at(k);
+  const CoordinateRange range = ShippedJointRanges().at(k);
   JointRanges ranges = ShoulderRhythm::Unbounded();
   ranges.at(k) = range;
   const ShoulderRhythm bounded(TableOf(MeasuredRows()), {}, ranges);
@@ -623,8 +610,8 @@ TEST(ShoulderRhythm, OffsetsTakeNoJointOutOfItsRange) {
           const ShoulderSolution solution = Bounded().Solve(command);
           const JointAngles angles_rad = AnglesFromPose(solution.pose);
           for (std::size_t k = 0; k < kCoordinateCount; ++k) {
-            EXPECT_GE(angles_rad.at(k), Ranges().at(k).lower_rad - 1e-9) << command;
-            EXPECT_LE(angles_rad.at(k), Ranges().at(k).upper_rad + 1e-9) << command;
+            EXPECT_GE(angles_rad.at(k), ShippedJointRanges().at(k).lower_rad - 1e-9) << command;
+            EXPECT_LE(angles_rad.at(k), ShippedJointRanges().at(k).upper_rad + 1e-9) << command;
           }
           EXPECT_NEAR(ArmAnglesFromRotation(solution.pose.q_TH()).elevation_rad,
                       solution.used.elevation_rad, 1e-9);
