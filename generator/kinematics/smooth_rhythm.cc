@@ -206,8 +206,7 @@ SmoothRhythm::SmoothRhythm(const RhythmTable& table)
                       return std::array{Pair(gh.x, gh.y), Pair(gh.z, 0)};
                     }),
       hanging_(EndPosture(kHangingSc_deg, kHangingAc_deg, mean_.q_TC_CS)),
-      upright_(EndPosture(kUprightSc_deg, kUprightAc_deg, mean_.q_TC_CS)),
-      hanging_turn_rad_(0) {
+      upright_(EndPosture(kUprightSc_deg, kUprightAc_deg, mean_.q_TC_CS)) {
   for (const double plane_rad : table.planes_rad()) {
     hanging_turn_rad_ += turn_.At(grid_.PlaceOf(edges_.lowest_rad, plane_rad))[0] /
                          static_cast<double>(table.planes_rad().size());

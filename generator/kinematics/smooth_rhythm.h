@@ -120,7 +120,7 @@ class SmoothRhythm {
   SurfaceSpline<Pair, 2> glenohumeral_;  ///< u of GH: (x, y), (z, 0)
   QuaternionOf<Pair> hanging_;           ///< where the rule goes at elevation 0
   QuaternionOf<Pair> upright_;           ///< at elevation 180
-  double hanging_turn_rad_;              ///< tau at elevation 0
+  double hanging_turn_rad_ = 0;          ///< tau at elevation 0
 };
 
 }  // namespace girdle
