@@ -256,17 +256,12 @@ Quaternion ShoulderRhythm::WithOffsets(const Quaternion& q_TC, ArmCommand& used)
   return QuaternionFromEuler(kJointSequences[0], angles_rad);
 }
 
-// A turn about the humerus's own y comes last in X-Z'-Y'': it adds to the axial angle.
-void ShoulderRhythm::BoundAxial(ShoulderPose& pose, ArmCommand& used) const noexcept {
-  const CoordinateRange& range = ranges_[kGhAxialIndex];
-  const double angle_rad = AnglesFromPose(pose)[kGhAxialIndex];
-  if (angle_rad >= range.lower_rad && angle_rad <= range.upper_rad) {
-    return;
-  }
-  const double without_rad = angle_rad - used.axial_rad;
-  const double bounded_rad = Bounded(without_rad, used.axial_rad, range);
-  pose.q_SH = pose.q_SH * AboutY(bounded_rad - used.axial_rad);
-  used.axial_rad = bounded_rad;
+// A turn about the humerus's own y comes last in X-Z'-Y'': it adds to the axial angle. What that is
+// has to be asked before the turn, which may take it over the end of its window.
+void ShoulderRhythm::AddAxial(ShoulderPose& pose, ArmCommand& used) const noexcept {
+  used.axial_rad =
+      Bounded(AnglesFromPose(pose)[kGhAxialIndex], used.axial_rad, ranges_[kGhAxialIndex]);
+  pose.q_SH = pose.q_SH * AboutY(used.axial_rad);
 }
 
 ArmCommand ShoulderRhythm::WithinRange(const ArmCommand& command) const noexcept {
@@ -301,14 +296,11 @@ ShoulderPose ShoulderRhythm::PoseFor(ArmCommand& used) const noexcept {
     pose.q_TC = WithOffsets(pose.q_TC, used);
   }
   if (exact) {
-    const QuaternionOf<double> q_TH =
-        HumerusRotation(used.elevation_rad, used.plane_rad, turn_rad + used.axial_rad);
+    const QuaternionOf<double> q_TH = HumerusRotation(used.elevation_rad, used.plane_rad, turn_rad);
     pose.q_SH = glm::conjugate(pose.q_TS()) * Plain(q_TH);
-  } else if (used.axial_rad != 0) {
-    pose.q_SH = pose.q_SH * AboutY(used.axial_rad);
   }
   if (used.axial_rad != 0) [[unlikely]] {
-    BoundAxial(pose, used);
+    AddAxial(pose, used);
   }
   return pose;
 }

@@ -208,8 +208,8 @@ class ShoulderRhythm {
   [[nodiscard]] Origin OriginOf(const RhythmCell& cell, bool outside) const noexcept;
   /// SC and AC with the command's offsets, as far as the ranges allow; `used` says how far.
   [[nodiscard]] Quaternion WithOffsets(const Quaternion& q_TC, ArmCommand& used) const noexcept;
-  /// GH with the command's axial turn, as far as its range allows.
-  void BoundAxial(ShoulderPose& pose, ArmCommand& used) const noexcept;
+  /// GH with the command's axial turn, as far as its range allows; `used` says how far.
+  void AddAxial(ShoulderPose& pose, ArmCommand& used) const noexcept;
   template <int Order>
   struct Jets;
   template <int Order>
