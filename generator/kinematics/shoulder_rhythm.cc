@@ -101,17 +101,27 @@ VectorOf<T> EulerJets(EulerSequence sequence, const QuaternionOf<T>& q_AB) noexc
                                          : EulerAngles(q.w, q.x, q.z, q.y);
 }
 
+// An angle with as much of what was to be added to it as its range leaves. At the end of the range
+// it stays, whatever it is added to.
+template <typename T>
+T Added(const T& angle, double given_rad, double used_rad) noexcept {
+  const T sum = angle + T(used_rad);
+  const bool is_at_end = used_rad != given_rad && used_rad != 0;
+  return is_at_end ? T(sum.part[kValue]) : sum;
+}
+
 // The clavicle with its offsets: Ry(a + protraction) Rx(b - shrug) Rz(c).
 template <int Order>
 QuaternionOf<Jet<Pair, Order>> WithOffsetsOf(const QuaternionOf<Jet<Pair, Order>>& q_TC_CS,
+                                             const ArmCommand& given,
                                              const ArmCommand& used) noexcept {
   if (used.shrug_rad == 0 && used.protraction_rad == 0) {
     return q_TC_CS;
   }
   using T = Jet<double, Order>;
   const VectorOf<T> angles = EulerJets(EulerSequence::kYXZ, Element(q_TC_CS, 0));
-  const T y = 0.5 * (angles[0] + T(used.protraction_rad));
-  const T x = 0.5 * (angles[1] - T(used.shrug_rad));
+  const T y = 0.5 * Added(angles[0], given.protraction_rad, used.protraction_rad);
+  const T x = 0.5 * Added(angles[1], -given.shrug_rad, -used.shrug_rad);
   const T z = 0.5 * angles[2];
   const QuaternionOf<T> q_TC = QuaternionOf<T>{Cos(y), T(0.0), Sin(y), T(0.0)} *
                                QuaternionOf<T>{Cos(x), Sin(x), T(0.0), T(0.0)} *
@@ -127,6 +137,22 @@ QuaternionOf<Jet<Pair, Order>> WithOffsetsOf(const QuaternionOf<Jet<Pair, Order>
   replace_first(offset.y, q_TC.y);
   replace_first(offset.z, q_TC.z);
   return offset;
+}
+
+// The humerus in the scapula with its axial turn: Rx(a) Rz(b) Ry(c + axial).
+template <typename T>
+QuaternionOf<T> WithAxialOf(const QuaternionOf<T>& q_SH, const ArmCommand& given,
+                            const ArmCommand& used) noexcept {
+  if (used.axial_rad == 0) {
+    return q_SH;
+  }
+  const VectorOf<T> angles = EulerJets(EulerSequence::kXZY, q_SH);
+  const T x = 0.5 * angles[0];
+  const T z = 0.5 * angles[1];
+  const T y = 0.5 * Added(angles[2], given.axial_rad, used.axial_rad);
+  return QuaternionOf<T>{Cos(x), Sin(x), T(0.0), T(0.0)} *
+         QuaternionOf<T>{Cos(z), T(0.0), T(0.0), Sin(z)} *
+         QuaternionOf<T>{Cos(y), T(0.0), Sin(y), T(0.0)};
 }
 
 }  // namespace
@@ -350,22 +376,19 @@ ShoulderRhythm::Jets<Order> ShoulderRhythm::JetsFor(const ArmCommand& command) c
   // given.
   if (options_.closure == Closure::kExact) {
     const GirdleOf<Scalar> girdle = smooth_->Girdle<Scalar>(place.elevation_rad, place.plane_rad);
-    jets.q_TC_CS = WithOffsetsOf(girdle.q_TC_CS, used);
+    jets.q_TC_CS = WithOffsetsOf(girdle.q_TC_CS, command, used);
     Scalar theta(place.elevation_rad);
     Scalar psi(place.plane_rad);
     theta.part[kByElevation] = 1;
     psi.part[kByPlane] = 1;
     jets.q_SH = Inverse(Element(jets.q_TC_CS, 0) * Element(jets.q_TC_CS, 1)) *
-                HumerusRotation(theta, psi, girdle.turn_rad + Scalar(used.axial_rad));
+                HumerusRotation(theta, psi, girdle.turn_rad);
   } else {
     const JointsOf<Scalar> joints = smooth_->Joints<Scalar>(place.elevation_rad, place.plane_rad);
-    jets.q_TC_CS = WithOffsetsOf(joints.q_TC_CS, used);
+    jets.q_TC_CS = WithOffsetsOf(joints.q_TC_CS, command, used);
     jets.q_SH = joints.q_SH;
-    if (used.axial_rad != 0) {
-      const Quaternion axial = AboutY(used.axial_rad);
-      jets.q_SH = jets.q_SH * QuaternionOf<double>{axial.w, axial.x, axial.y, axial.z};
-    }
   }
+  jets.q_SH = WithAxialOf(jets.q_SH, command, used);
   if (place.elevation_slope != 1 || place.plane_slope != 1) {
     const auto chain = [&place](auto& q) {
       for (auto* component : {&q.w, &q.x, &q.y, &q.z}) {
