@@ -81,8 +81,8 @@ std::optional<double> OffsetArgument(const std::string& option,
     return std::nullopt;
   }
   const double offset_deg = NumberArgument(option, *text);
-  const double lower_deg = TypedBound_deg(bounds.lower_rad);
-  const double upper_deg = TypedBound_deg(bounds.upper_rad);
+  const double lower_deg = TypedDegrees(bounds.lower_rad);
+  const double upper_deg = TypedDegrees(bounds.upper_rad);
   if (offset_deg < lower_deg || offset_deg > upper_deg) {
     constexpr int kDecimals = 6;
     throw InputError(option + " " + *text + ": a clavicle goes from " +
