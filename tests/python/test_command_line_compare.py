@@ -249,7 +249,7 @@ def test_the_same_options_give_the_same_bytes(girdle_fine: Girdle, tmp_path: Pat
 def test_a_table_of_ones_own_is_what_is_compared_with(girdle_fine: Girdle, tmp_path: Path) -> None:
     """The relaxed posture everywhere: a frozen girdle differs by rounding alone."""
     header = "plane_deg,elevation_deg," + ",".join(f"{name}_deg" for name in COORDINATES)
-    places = [(plane, elevation) for plane in (0, 90) for elevation in (30, 60, 120)]
+    places = [(plane, elevation) for plane in (0, 40, 90) for elevation in (30, 60, 90, 120)]
     rows = [f"{p},{e},-19.2,-5.9,0,60.0,-2.5,-8.4,{-e},0,0" for p, e in places]
     (tmp_path / "table.csv").write_text("\n".join([header, *rows]) + "\n", encoding="utf-8")
     found = differences(summary(girdle_fine, *MAP, "--table", "table.csv"), "frozen girdle")
