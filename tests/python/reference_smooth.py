@@ -660,6 +660,7 @@ class SmoothRhythm:
             )
             for joint in JOINT_SEQUENCES:
                 # From here, where the rotation vector is zero.
-                to_once, to_twice = (logs(multiply(q[joint], inverses(here[joint]))) for q in (once, twice))
+                back = inverses(here[joint])
+                to_once, to_twice = (logs(multiply(q[joint], back)) for q in (once, twice))
                 result[joint][name] = (4.0 * to_once - to_twice) / (2.0 * h)
         return result

@@ -32,7 +32,9 @@ def commands(*rows: Command) -> pytest.MarkDecorator:
     return pytest.mark.parametrize("command", rows, ids=[" ".join(row) for row in rows])
 
 
-every_verb = commands(ONE_POSE, TABLE_OF_POSES, RAISE, VERIFY, GENERATE, COMPARE, CONTINUITY, DESTEP)
+every_verb = commands(
+    ONE_POSE, TABLE_OF_POSES, RAISE, VERIFY, GENERATE, COMPARE, CONTINUITY, DESTEP
+)
 
 
 # --- Help ----------------------------------------------------------------------------------------
@@ -99,7 +101,9 @@ def test_a_missing_model_is_named(refuses: Refuses, command: Command) -> None:
 
 # --- Choosing the rhythm -------------------------------------------------------------------------
 
-every_verb_that_chooses = commands(ONE_POSE, TABLE_OF_POSES, RAISE, VERIFY, GENERATE, COMPARE, ("continuity",))
+every_verb_that_chooses = commands(
+    ONE_POSE, TABLE_OF_POSES, RAISE, VERIFY, GENERATE, COMPARE, ("continuity",)
+)
 
 
 @every_verb_that_chooses
@@ -181,7 +185,13 @@ def test_a_folder_that_cannot_be_made_is_refused(
     refuses("generate", "--out", place, because=(place, "cannot be", "--out"))
 
 
-@commands((*ONE_POSE, "--out"), (*RAISE, "--trace"), ("generate", "--out"), DESTEP[:-1], (*COMPARE, "--out"))
+@commands(
+    (*ONE_POSE, "--out"),
+    (*RAISE, "--trace"),
+    ("generate", "--out"),
+    DESTEP[:-1],
+    (*COMPARE, "--out"),
+)
 def test_a_place_without_a_name_is_refused_by_its_option(
     refuses: Refuses, generated: Path, command: Command
 ) -> None:
@@ -205,6 +215,10 @@ def test_a_place_without_a_name_is_refused_by_its_option(
     (*DESTEP[:-1], "/dev/stdout"),
     COMPARE,
     (*COMPARE, "--json"),
+    CONTINUITY,
+    (*CONTINUITY, "--json"),
+    ("solve", "--pose", "relaxed"),
+    ("solve", "--elevation", "0:180:5", "--plane", "0"),
 )
 def test_a_full_standard_output_is_an_error(
     girdle: Girdle, generated: Path, tmp_path: Path, command: Command

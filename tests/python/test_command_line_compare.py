@@ -70,10 +70,19 @@ def test_the_map_has_a_row_a_rhythm_and_position(small_map: Rows) -> None:
     assert list(small_map) == expected
 
 
-def test_girdles_rows_are_what_solve_gives(girdle_fine: Girdle, small_map: Rows) -> None:
-    for (rhythm, elevation, plane), row in small_map.items():
+@pytest.mark.parametrize(
+    "options",
+    [(), ("--interpolation", "squad", "--closure", "table"), ("--table", "measured")],
+    ids=" ".join,
+)
+def test_girdles_rows_are_what_solve_gives(
+    girdle_fine: Girdle, tmp_path: Path, options: tuple[str, ...]
+) -> None:
+    girdle_fine("compare", *MAP, *options, "--out", "map.csv")
+    for (rhythm, elevation, plane), row in read_map(tmp_path / "map.csv").items():
         if rhythm == "Girdle":
-            pose = ("solve", "--elevation", str(elevation), "--plane", str(plane), "--json")
+            place = ("--elevation", str(elevation), "--plane", str(plane))
+            pose = ("solve", *place, *options, "--json")
             expected_deg = json.loads(girdle_fine(*pose).text)["angles_deg"]
             found_deg = {name: float(row[f"{name}_deg"]) for name in COORDINATES}
             assert found_deg == pytest.approx(expected_deg, abs=ROUNDED_DEG)

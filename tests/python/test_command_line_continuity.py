@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Girdle authors
 # SPDX-License-Identifier: Apache-2.0
-"""`girdle continuity` as a person types it: how smooth the interpolations are, what a rhythm keeps."""
+"""`girdle continuity` as a person types it: how smooth interpolations are, what a rhythm keeps."""
 
 from __future__ import annotations
 

@@ -116,7 +116,10 @@ CONFIGURED = [
     (("--closure", "table"), ("smooth", "table", "clamp", "destepped")),
     (("--interpolation", "squad"), ("squad", "exact", "clamp", "measured")),
     (PUBLISHED, ("squad", "table", "clamp", "measured")),
-    (("--interpolation", "slerp", "--table", "destepped"), ("slerp", "exact", "clamp", "destepped")),
+    (
+        ("--interpolation", "slerp", "--table", "destepped"),
+        ("slerp", "exact", "clamp", "destepped"),
+    ),
 ]
 
 
@@ -209,7 +212,7 @@ def test_offsets_reach_as_far_as_a_clavicle_does(girdle_fine: Girdle, tmp_path: 
 
 @pytest.mark.parametrize("interpolation", ["squad", "slerp"])
 def test_rates_need_an_interpolation_that_has_them(refuses: Refuses, interpolation: str) -> None:
-    because = ("rate", "smooth")
+    because = ("--rates", f"{interpolation} has no derivatives", "--interpolation smooth")
     options = ("--interpolation", interpolation, "--rates")
     refuses("generate", "--out", "model", *options, because=because)
 

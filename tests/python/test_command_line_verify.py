@@ -477,7 +477,7 @@ def test_a_servo_that_does_not_follow_is_caught_by_tracking(
 
 # --- Held against something else -----------------------------------------------------------------
 
-# What a model was made with, what is written into its configuration instead, and what it is held to.
+# What a model was made with, what its configuration says instead, and what it is held to.
 OTHER_RHYTHMS = {
     "slerp instead of squad": (PUBLISHED, ("interpolation", "slerp"), PUBLISHED),
     "table instead of exact": (
