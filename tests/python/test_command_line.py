@@ -150,7 +150,8 @@ def test_the_whole_range_needs_what_has_a_rule_for_it(
 ) -> None:
     (tmp_path / "poses.csv").write_text(POSES)
     words = (*with_scene(command, generated), *options, "--range", "whole")
-    refuses(*words, because=("range whole", "smooth", "exact", "Choose the range clamp"))
+    because = ("these options do not go together", "range whole", "smooth", "exact", "range clamp")
+    refuses(*words, because=because)
 
 
 # --- Places that cannot be written ---------------------------------------------------------------

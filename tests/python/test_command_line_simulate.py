@@ -415,6 +415,29 @@ def test_a_motion_file_may_shrug_and_protract(
         assert targets_deg == pytest.approx(expected_deg, abs=ROUNDING)
 
 
+def test_offsets_that_end_at_a_joints_range_are_counted(
+    girdle_fine: Girdle, scene_with_offsets: Path, tmp_path: Path
+) -> None:
+    """With the arm high a clavicle has no room for the largest shrug, with the arm low it has."""
+    header = "time_s,elevation_deg,plane_deg,shrug_deg\n"
+    for elevation_deg, plane_deg, clamped_rows in ((150, 0, 11), (10, 90, 0)):
+        place = f"{elevation_deg},{plane_deg},35\n"
+        (tmp_path / "motion.csv").write_text(f"{header}0,{place}0.02,{place}")
+        words = ("simulate", scene_with_offsets, "--motion", "motion.csv", "--json")
+        assert json.loads(girdle_fine(*words).text)["clamped_rows"] == clamped_rows
+        pose = (f"--elevation={elevation_deg}", f"--plane={plane_deg}", "--shrug=35", "--json")
+        clamped = json.loads(girdle_fine("solve", *pose).text)["clamped"]
+        assert clamped == (clamped_rows > 0)
+
+
+def test_a_column_of_zeros_needs_no_command(
+    girdle_fine: Girdle, scene: Path, tmp_path: Path
+) -> None:
+    zeros = SHRUG.replace(",10,-4", ",0,0")
+    (tmp_path / "motion.csv").write_text(zeros)
+    girdle_fine("simulate", scene, "--motion", "motion.csv")
+
+
 def test_without_offsets_their_columns_are_zero(girdle_fine: Girdle, scene: Path) -> None:
     rows = read_trace(girdle_fine("simulate", scene, *RAISE, "--trace", "-").text)
     assert {row[name] for row in rows for name in OFFSETS} == {0.0}
