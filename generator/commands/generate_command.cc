@@ -35,6 +35,9 @@ struct GenerateArguments {
 };
 
 std::string ModelXml(const GenerateArguments& arguments) {
+  if (arguments.rates) {
+    ExpectRates(arguments.rhythm);
+  }
   const ShoulderRhythm rhythm = ChosenRhythm(arguments.rhythm);
   const std::optional<BuiltInTable> table = ChosenBuiltInTable(arguments.rhythm);
   try {

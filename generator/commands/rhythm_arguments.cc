@@ -83,6 +83,14 @@ ShoulderRhythm ChosenRhythm(const RhythmArguments& arguments) {
   }
 }
 
+void ExpectRates(const RhythmArguments& arguments) {
+  const Interpolation interpolation = ChosenOptions(arguments).interpolation;
+  if (interpolation != Interpolation::kSmooth) {
+    throw InputError("--rates: the interpolation " + std::string(Name(interpolation)) +
+                     " has no derivatives. Choose --interpolation smooth");
+  }
+}
+
 double NumberArgument(const std::string& option, const std::string& text) {
   const std::optional<double> number = FiniteNumber(text);
   if (!number) {

@@ -33,6 +33,9 @@ void AddRhythmArguments(CLI::App& verb, RhythmArguments& arguments);
 /// Returns the rhythm chosen, in the joint ranges of the built-in anatomy.
 [[nodiscard]] ShoulderRhythm ChosenRhythm(const RhythmArguments& arguments);
 
+/// Throws InputError, which says how to mend it, if the interpolation chosen cannot give `--rates`.
+void ExpectRates(const RhythmArguments& arguments);
+
 /// Returns the number that `text` is. Throws InputError that names the option and gives an example.
 [[nodiscard]] double NumberArgument(const std::string& option, const std::string& text);
 

@@ -81,8 +81,8 @@ std::optional<double> OffsetArgument(const std::string& option,
     return std::nullopt;
   }
   const double offset_deg = NumberArgument(option, *text);
-  const double lower_deg = TypedBound_deg(bounds.lower_rad);
-  const double upper_deg = TypedBound_deg(bounds.upper_rad);
+  const double lower_deg = TypedDegrees(bounds.lower_rad);
+  const double upper_deg = TypedDegrees(bounds.upper_rad);
   if (offset_deg < lower_deg || offset_deg > upper_deg) {
     constexpr int kDecimals = 6;
     throw InputError(option + " " + *text + ": a clavicle goes from " +
@@ -97,16 +97,6 @@ std::optional<double> ShrugArgument(const SolveArguments& arguments) {
 }
 std::optional<double> ProtractionArgument(const SolveArguments& arguments) {
   return OffsetArgument("--protraction", arguments.protraction_deg, kProtractionRange);
-}
-
-ShoulderRhythm RhythmFor(const SolveArguments& arguments) {
-  ShoulderRhythm rhythm = ChosenRhythm(arguments.rhythm);
-  if (arguments.rates && rhythm.options().interpolation != Interpolation::kSmooth) {
-    throw InputError("--rates: the interpolation " +
-                     std::string(Name(rhythm.options().interpolation)) +
-                     " has no derivatives. Choose --interpolation smooth");
-  }
-  return rhythm;
 }
 
 double RequiredNumber(const std::string& option, const std::optional<std::string>& text) {
@@ -234,11 +224,11 @@ std::string RatesAsText(const ShoulderDerivatives& derivatives) {
 
 // What the command used differs from the one given by.
 std::string UsedAsText(const ArmCommand& given, const ArmCommand& used) {
-  std::string text = "clamped         the nearest that can be done is used:";
-  const auto add = [&text](const char* name, double given_rad, double used_rad) {
+  std::string differing;
+  const auto add = [&differing](const char* name, double given_rad, double used_rad) {
     if (given_rad != used_rad) {
-      text += std::string(" ") + name + " " + RoundedText(DegreesFromRadians(used_rad), kDecimals) +
-              " deg";
+      differing += (differing.empty() ? "" : ", ") + std::string(name) + " " +
+                   RoundedText(DegreesFromRadians(used_rad), kDecimals) + " deg";
     }
   };
   add("elevation", given.elevation_rad, used.elevation_rad);
@@ -246,7 +236,7 @@ std::string UsedAsText(const ArmCommand& given, const ArmCommand& used) {
   add("axial", given.axial_rad, used.axial_rad);
   add("shrug", given.shrug_rad, used.shrug_rad);
   add("protraction", given.protraction_rad, used.protraction_rad);
-  return text + "\n";
+  return "clamped         the nearest that can be done is used: " + differing + "\n";
 }
 
 std::string PoseAsText(const ShoulderRhythm& rhythm, const TypedPose& typed,
@@ -282,7 +272,7 @@ void SolveOne(const SolveArguments& arguments) {
                            NumberArgument("--axial", arguments.axial_deg.value_or("0")),
                            ShrugArgument(arguments).value_or(0),
                            ProtractionArgument(arguments).value_or(0)};
-  const ShoulderRhythm rhythm = RhythmFor(arguments);
+  const ShoulderRhythm rhythm = ChosenRhythm(arguments.rhythm);
   const ShoulderSolution solution = rhythm.Solve(typed.command());
   OutputFile out(arguments.out);
   out.Write(arguments.json ? PoseAsJson(rhythm, typed, solution, arguments.rates)
@@ -338,7 +328,7 @@ void SolveFile(const RowSource& source, const SolveArguments& arguments) {
   if (arguments.axial_deg) {
     options.axial_deg = NumberArgument("--axial", *arguments.axial_deg);
   }
-  SolveRows(source, arguments.out, RhythmFor(arguments), options);
+  SolveRows(source, arguments.out, ChosenRhythm(arguments.rhythm), options);
 }
 
 // All combinations of the elevations and planes given, as a file of poses would be.
@@ -373,6 +363,9 @@ void Solve(const SolveArguments& arguments) {
   if (arguments.posture) {
     SolvePosture(arguments);
     return;
+  }
+  if (arguments.rates) {
+    ExpectRates(arguments.rhythm);
   }
   const bool one = arguments.elevation_deg.has_value() || arguments.plane_deg.has_value();
   if (one && !arguments.in.empty()) {

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <cmath>
 #include <condition_variable>
 #include <exception>
 #include <limits>
@@ -126,8 +125,8 @@ class RowColumns {
           column.option == nullptr ? std::nullopt : options.*column.option_deg;
       if (column.option == nullptr || csv.HasColumn(column.name)) {
         commands_.push_back({csv.Column(column.name), column.angle_rad,
-                             TypedBound_deg(column.bounds.lower_rad),
-                             TypedBound_deg(column.bounds.upper_rad)});
+                             TypedDegrees(column.bounds.lower_rad),
+                             TypedDegrees(column.bounds.upper_rad)});
         if (option_deg) {
           csv.Fail("the column " + std::string(column.name) + " and " + column.option +
                    " exclude each other. Remove one");
@@ -319,11 +318,6 @@ class RowWorkers {
 };
 
 }  // namespace
-
-double TypedBound_deg(double bound_rad) {
-  constexpr double kPerDegree = 1e9;
-  return std::round(DegreesFromRadians(bound_rad) * kPerDegree) / kPerDegree;
-}
 
 void SolveRows(const RowSource& source, const std::string& out, const ShoulderRhythm& rhythm,
                const RowOptions& options) {

@@ -25,9 +25,6 @@ inline constexpr const char* kClampedColumn = "clamped";
 inline constexpr const char* kDistanceColumn = "distance_deg";
 inline constexpr const char* kOriginColumn = "origin";
 
-/// A bound of an offset as it is typed [deg].
-[[nodiscard]] double TypedBound_deg(double bound_rad);
-
 /// Where rows come from.
 struct RowSource {
   std::istream& in;

@@ -210,7 +210,7 @@ ShoulderRhythm::ShoulderRhythm(RhythmTable table, RhythmOptions options, const J
     squad_.emplace(table_, options_.interpolation == Interpolation::kSquad);
   }
   if (options_.range == Range::kWhole) {
-    smooth_->CheckWholeRange();
+    smooth_->CheckWholeRange(table_);
     domain_ = {0, kPi, std::min(measured_.first_plane_rad, LowestPlaneAt(0).plane_rad),
                std::max(measured_.last_plane_rad, kHighestPlane_rad)};
   }

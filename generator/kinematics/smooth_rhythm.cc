@@ -213,9 +213,9 @@ SmoothRhythm::SmoothRhythm(const RhythmTable& table)
   }
 }
 
-void SmoothRhythm::CheckWholeRange() const {
+void SmoothRhythm::CheckWholeRange(const RhythmTable& table) const {
   constexpr double kFarthest_rad = kPi / 2;
-  for (const double plane_rad : {edges_.first_plane_rad, edges_.last_plane_rad}) {
+  for (const double plane_rad : table.planes_rad()) {
     const auto check = [&](double elevation_rad, const QuaternionOf<Pair>& posture) {
       const QuaternionOf<Pair> q = InTable<double>(elevation_rad, plane_rad).q_TC_CS;
       for (std::size_t joint = 0; joint < 2; ++joint) {

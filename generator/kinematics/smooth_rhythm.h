@@ -70,9 +70,10 @@ class SmoothRhythm {
   /// their mean.
   explicit SmoothRhythm(const RhythmTable& table);
 
-  /// Throws std::invalid_argument if the rule for the whole range cannot go on from this table: its
-  /// edges are more than a right angle from where the rule goes.
-  void CheckWholeRange() const;
+  /// Throws std::invalid_argument if the rule for the whole range cannot go on from this table, the
+  /// one it was made with: its lowest or highest rows are more than a right angle from where the
+  /// rule goes.
+  void CheckWholeRange(const RhythmTable& table) const;
 
   /// Clavicle, scapula and tau for T double or Jet<double, 1 or 2>, whose coordinates are the two
   /// arguments: jets carry the derivatives by elevation and plane. Elevation in [0, pi], plane

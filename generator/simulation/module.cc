@@ -75,7 +75,11 @@ ShoulderRhythm RhythmOf(const ShoulderSimulation& simulation, const RhythmOverri
   } else if (!override.table.empty()) {
     return ReadShoulderRhythm(override.table, config.options, simulation.ranges());
   }
-  return ConfiguredRhythm(config, simulation.ranges());
+  try {
+    return ShoulderRhythm(config.table, config.options, simulation.ranges());
+  } catch (const std::invalid_argument& error) {
+    throw InputError(simulation.name() + ": these options do not go together: " + error.what());
+  }
 }
 
 // Refuses a model that moves otherwise than the user says.
@@ -120,6 +124,7 @@ SimulationSummary Simulate(const std::string& model_path, const std::string& plu
   LoadPlugin(plugin);
   ShoulderSimulation simulation(LoadModel(model_path), model_path);
   ExpectRhythm(simulation, rhythm);
+  const ShoulderRhythm own = RhythmOf(simulation, {});
   const auto steps = static_cast<long>(std::lround(motion.duration_s / simulation.timestep_s()));
   const auto command_at = [&](long step) {
     return ReplayableCommand(motion.command(static_cast<double>(step) * simulation.timestep_s()));
@@ -139,7 +144,8 @@ SimulationSummary Simulate(const std::string& model_path, const std::string& plu
     AppendTraceRow(row, state);
     trace(row);
     ++summary.rows;
-    summary.clamped_rows += state.clamped ? 1 : 0;
+    // The plugin's sensor does not say how much of an offset was left.
+    summary.clamped_rows += state.clamped || own.Solve(state.command).clamped ? 1 : 0;
     summary.worst_distance_deg =
         std::max(summary.worst_distance_deg, DegreesFromRadians(state.distance_rad));
     summary.duration_s = state.time_s;

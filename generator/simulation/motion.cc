@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "kinematics/model_names.h"
 #include "tables/csv.h"
 #include "tables/number_text.h"
 
@@ -79,8 +80,11 @@ Motion ReadMotion(std::istream& in, const std::string& name) {
     const auto angle_rad = [&csv](std::size_t column) {
       return RadiansFromDegrees(csv.NumberWithin(column, -kFullCircle_deg, kFullCircle_deg));
     };
-    const auto optional_rad = [&angle_rad](const std::optional<std::size_t>& column) {
-      return column ? angle_rad(*column) : 0;
+    const auto offset_rad = [&csv](const std::optional<std::size_t>& column,
+                                   const CoordinateRange& range) {
+      return column ? RadiansFromDegrees(csv.NumberWithin(*column, TypedDegrees(range.lower_rad),
+                                                          TypedDegrees(range.upper_rad)))
+                    : 0;
     };
     const double time_s = csv.NumberWithin(time, 0, kLongestMotion_s);
     if (!rows.empty() && time_s <= rows.back().time_s) {
@@ -88,8 +92,8 @@ Motion ReadMotion(std::istream& in, const std::string& name) {
                NumberText(rows.back().time_s) + ")");
     }
     rows.push_back({time_s,
-                    {angle_rad(elevation), angle_rad(plane), optional_rad(axial),
-                     optional_rad(shrug), optional_rad(protraction)}});
+                    {angle_rad(elevation), angle_rad(plane), axial ? angle_rad(*axial) : 0,
+                     offset_rad(shrug, kShrugRange), offset_rad(protraction, kProtractionRange)}});
   }
   if (rows.empty()) {
     csv.Fail("the motion has no rows");

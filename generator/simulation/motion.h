@@ -37,9 +37,9 @@ using CommandRate = std::array<double, kRateCount>;
                                     double duration_s);
 
 /// Reads `time_s,elevation_deg,plane_deg`, optionally `axial_deg`, `shrug_deg` and
-/// `protraction_deg`, columns in any order, times not
-/// negative and increasing, and goes in straight lines from row to row. Throws InputError with file
-/// and line.
+/// `protraction_deg`, columns in any order, times not negative and increasing, offsets within
+/// kShrugRange and kProtractionRange, and goes in straight lines from row to row. Throws InputError
+/// with file and line.
 [[nodiscard]] Motion ReadMotion(std::istream& in, const std::string& name);
 
 }  // namespace girdle

@@ -26,9 +26,9 @@ constexpr double kMillimetersPerMeter = 1000;
 constexpr double kExact_deg = 1e-6;
 constexpr double kExact_mm = 1e-6;
 constexpr double kExactMass = 1e-9;  // kg and kg m^2
-// A servo that holds still must be as good as its own rounding; a tenth of a degree is a tenth of
-// what bone pins resolve.
-constexpr double kSettledTracking_deg = 0.1;
+// A servo that holds still must be as good as its own rounding; a hundredth of a degree is far
+// below what bone pins resolve, and what a shoulder without damping still swings by.
+constexpr double kSettledTracking_deg = 0.01;
 // Lag of 20 ms (joint_dynamics.h) at the fastest joint speed of the standard motions, about 80
 // deg/s, and some room.
 constexpr double kMovingTracking_deg = 3;

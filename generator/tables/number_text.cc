@@ -11,6 +11,8 @@
 #include <cstring>
 #include <limits>
 
+#include "kinematics/rotation.h"
+
 namespace girdle {
 namespace {
 
@@ -153,6 +155,11 @@ std::string RoundedText(double value, int decimals) {
     }
   }
   return text == "-0" ? "0" : text;
+}
+
+double TypedDegrees(double angle_rad) noexcept {
+  constexpr double kPerDegree = 1e9;
+  return std::round(DegreesFromRadians(angle_rad) * kPerDegree) / kPerDegree;
 }
 
 }  // namespace girdle

@@ -36,4 +36,7 @@ void AppendRounded(std::string& text, double value);
 /// read.
 [[nodiscard]] std::string RoundedText(double value, int decimals);
 
+/// Returns an angle as a person types it [deg]: without what the way to radians and back adds.
+[[nodiscard]] double TypedDegrees(double angle_rad) noexcept;
+
 }  // namespace girdle

@@ -4,6 +4,7 @@
 #include "tables/postures.h"
 
 #include <array>
+#include <cmath>
 #include <glm/gtc/quaternion.hpp>
 #include <optional>
 
@@ -48,7 +49,11 @@ Posture ReadPosture(std::istream& in, const std::string& name, const std::string
 }
 
 ShoulderPose HangingIn(const Posture& posture, const ShoulderRhythm& rhythm) noexcept {
-  const Quaternion q_TH = rhythm.SolvePose({}).q_TH();
+  // Where the rhythm does not go down to 0, its lowest arm let down: what is left is the turn about
+  // the long axis.
+  const Quaternion lowest = rhythm.SolvePose({}).q_TH();
+  const double half_rad = std::atan2(lowest.y, lowest.w);
+  const Quaternion q_TH{std::cos(half_rad), 0, std::sin(half_rad), 0};
   return {posture.q_TC, posture.q_CS, glm::conjugate(posture.q_TC * posture.q_CS) * q_TH};
 }
 

@@ -22,7 +22,8 @@ struct Posture {
 [[nodiscard]] Posture ReadPosture(std::istream& in, const std::string& name,
                                   const std::string& posture);
 
-/// Returns a posture with the arm hanging as the rhythm has it: GH = (q_TC q_CS)^-1 q_TH(0).
+/// Returns a posture with the arm hanging straight down, turned about its long axis as the rhythm's
+/// lowest arm is: GH = (q_TC q_CS)^-1 Ry(tau).
 [[nodiscard]] ShoulderPose HangingIn(const Posture& posture, const ShoulderRhythm& rhythm) noexcept;
 
 }  // namespace girdle

@@ -346,7 +346,7 @@ TEST(SmoothRhythm, RefusesARotationHalfATurnFromTheMean) {
 std::string RefusalOfTheWholeRange(const RhythmTable& table) {
   const SmoothRhythm rhythm(table);
   try {
-    rhythm.CheckWholeRange();
+    rhythm.CheckWholeRange(table);
   } catch (const std::invalid_argument& error) {
     return error.what();
   }

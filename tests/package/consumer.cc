@@ -8,11 +8,12 @@
 #include <cstdio>
 
 int main() {
-  // The published method, at one of the table's own positions.
-  const girdle::ShoulderRhythm published =
-      girdle::BuiltInRhythm({girdle::Interpolation::kSquad, girdle::Closure::kTable});
-  const auto solution = published.Solve({girdle::RadiansFromDegrees(90)});
+  const girdle::ShoulderRhythm rhythm(girdle::BuiltInRhythmTable(girdle::BuiltInTable::kMeasured));
+  const auto solution = rhythm.Solve({girdle::RadiansFromDegrees(90), 0, 0});
   std::printf("%.6f\n", girdle::DegreesFromRadians(girdle::AnglesFromPose(solution.pose)[0]));
-  const girdle::ShoulderRhythm rhythm = girdle::BuiltInRhythm();
-  return girdle::ShoulderModelXml(girdle::BuiltInAnatomy(), rhythm).empty() ? 1 : 0;
+  return girdle::ShoulderModelXml(girdle::BuiltInAnatomy(), rhythm,
+                                  {.table = girdle::BuiltInTable::kMeasured})
+                 .empty()
+             ? 1
+             : 0;
 }

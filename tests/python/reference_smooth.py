@@ -13,9 +13,11 @@ they are. A vector of `logs` and `exps` is the whole rotation vector, not half o
 
 from __future__ import annotations
 
+import csv
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Literal
 
 import numpy as np
@@ -30,6 +32,10 @@ from reference_rhythm import (
 
 Closure = Literal["table", "exact"]
 Extent = Literal["clamp", "whole"]
+# Lower and upper end (deg) of coordinates.
+JointRanges = dict[str, tuple[float, float]]
+
+JOINT_RANGES = Path(__file__).resolve().parents[2] / "data" / "joint_ranges.csv"
 
 # What was measured, and where the rule of the whole range ends.
 LOWEST_MEASURED, HIGHEST_MEASURED = math.radians(15.0), math.radians(120.0)
@@ -130,6 +136,11 @@ def euler_angles_deg(sequence: str, q: Array) -> Array:
             np.arctan2(-e * axes[j][i], axes[i][i]),
         ]
     )
+
+
+def in_axial_window_deg(angle_deg: Array) -> Array:
+    """GH's last angle, within half a turn, in the window that it is given in."""
+    return np.where(angle_deg > LOWEST_AXIAL_DEG + 360.0, angle_deg - 360.0, angle_deg)
 
 
 def mean_rotation(q: Array) -> Array:
@@ -282,12 +293,21 @@ def rate(f: Callable[[float], Array]) -> Array:
 # --- The rhythm ----------------------------------------------------------------------------------
 
 
+def read_joint_ranges(path: Path = JOINT_RANGES) -> JointRanges:
+    with path.open(newline="", encoding="utf-8") as file:
+        rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+    return {r["coordinate"]: (float(r["lower_deg"]), float(r["upper_deg"])) for r in rows}
+
+
 @dataclass(frozen=True)
 class SmoothPoses:
     """What became of N commands; every array ends in N."""
 
     elevation_deg: Array  # the command that was used
     plane_deg: Array
+    axial_deg: Array
+    shrug_deg: Array
+    protraction_deg: Array
     clamped: Array  # bool: it is another one than the given
     distance_deg: Array
     rotations: dict[str, Array]  # "sc" q_TC, "ac" q_CS, "gh" q_SH
@@ -313,7 +333,8 @@ class Command:
 class SmoothRhythm:
     """SC, AC, GH and the humerus's own turn, continuous to the second derivative in the table."""
 
-    def __init__(self, positions: list[Position]) -> None:
+    def __init__(self, positions: list[Position], ranges: JointRanges | None = None) -> None:
+        self.ranges = ranges or {}
         self.elevations_deg = sorted({p.elevation_deg for p in positions})
         self.planes_deg = sorted({p.plane_deg for p in positions})
         if len(self.elevations_deg) < NOT_A_KNOT_KNOTS:
@@ -493,10 +514,21 @@ class SmoothRhythm:
 
     # --- Poses ---
 
+    def bounded(self, coordinate: str, angle: Array, added: Array) -> Array:
+        """What may be added to an angle (rad): up to its range, from outside only back."""
+        low, high = np.radians(self.ranges.get(coordinate, (-math.inf, math.inf)))
+        return np.clip(added, np.minimum(low - angle, 0.0), np.maximum(high - angle, 0.0))
+
     def joint_rotations(
         self, command: Command, closure: Closure, extent: Extent
     ) -> dict[str, Array]:
         """q_TC, q_CS and q_SH. Just outside the extent the formula of its edge goes on."""
+        return self.rotations_and_additions(command, closure, extent)[0]
+
+    def rotations_and_additions(
+        self, command: Command, closure: Closure, extent: Extent
+    ) -> tuple[dict[str, Array], dict[str, Array]]:
+        """The same, and what was added of axial, shrug and protraction (rad)."""
         theta, psi = command.theta, command.psi
         if extent == "whole":
             q_TC, q_CS = (self.whole_rotation(joint, theta, psi) for joint in ("sc", "ac"))
@@ -505,20 +537,26 @@ class SmoothRhythm:
             q_TC, q_CS = (self.table_rotation(joint, theta, psi) for joint in ("sc", "ac"))
             tau = self.table_tau(theta, psi)
 
-        if closure == "table":
-            q_SH = multiply(self.table_rotation("gh", theta, psi), turns("y", command.axial))
-            return {"sc": q_TC, "ac": q_CS, "gh": q_SH}
-
         # Protraction adds to the clavicle's first angle; its second, elevation, is negative.
-        angles_deg = euler_angles_deg("yxz", q_TC)
-        angles_deg[0] += np.degrees(command.protraction)
-        angles_deg[1] -= np.degrees(command.shrug)
-        q_TC = euler_quaternions("yxz", angles_deg)
+        angles = np.radians(euler_angles_deg("yxz", q_TC))
+        protraction = self.bounded("sc_protraction", angles[0], command.protraction)
+        shrug = -self.bounded("sc_elevation", angles[1], -command.shrug)
+        angles[0] += protraction
+        angles[1] -= shrug
+        q_TC = euler_quaternions("yxz", np.degrees(angles))
 
-        # q_TH = S Ry(tau + axial), q_SH = (q_TC q_CS)^-1 q_TH
-        q_TH = multiply(swing(theta, psi), turns("y", tau + command.axial))
-        q_SH = multiply(inverses(multiply(q_TC, q_CS)), q_TH)
-        return {"sc": q_TC, "ac": q_CS, "gh": q_SH}
+        if closure == "table":
+            q_SH = self.table_rotation("gh", theta, psi)
+        else:
+            # q_TH = S Ry(tau), q_SH = (q_TC q_CS)^-1 q_TH
+            q_TH = multiply(swing(theta, psi), turns("y", tau))
+            q_SH = multiply(inverses(multiply(q_TC, q_CS)), q_TH)
+        # A turn about the humerus's own y, which the sequence has last, adds to its last angle.
+        turn = np.radians(in_axial_window_deg(euler_angles_deg("xzy", q_SH)[2]))
+        axial = self.bounded("gh_axial", turn, command.axial)
+        q_SH = multiply(q_SH, turns("y", axial))
+        additions = {"axial": axial, "shrug": shrug, "protraction": protraction}
+        return {"sc": q_TC, "ac": q_CS, "gh": q_SH}, additions
 
     def answerable(
         self, elevation_deg: Array, plane_deg: Array, extent: Extent
@@ -545,8 +583,6 @@ class SmoothRhythm:
     ) -> Command:
         if closure == "table" and extent == "whole":
             raise ValueError("nothing is measured outside the table for its own closure")
-        if closure == "table" and (np.any(shrug_deg) or np.any(protraction_deg)):
-            raise ValueError("an offset of the clavicle needs the exact closure")
         theta_deg, psi_deg = self.answerable(elevation_deg, plane_deg, extent)
         return Command(
             *(
@@ -572,17 +608,20 @@ class SmoothRhythm:
             elevation_deg, plane_deg, axial_deg, shrug_deg, protraction_deg, closure, extent
         )
         theta_deg, psi_deg = self.answerable(elevation_deg, plane_deg, extent)
-        rotations = self.joint_rotations(command, closure, extent)
+        rotations, additions = self.rotations_and_additions(command, closure, extent)
         angles_deg: dict[str, Array] = {}
         for joint, q in rotations.items():
             angles = euler_angles_deg(JOINT_SEQUENCES[joint], q)
             angles_deg.update(zip(JOINT_COORDINATES[joint], angles, strict=True))
-        axial = angles_deg["gh_axial"]
-        angles_deg["gh_axial"] = np.where(axial > LOWEST_AXIAL_DEG + 360.0, axial - 360.0, axial)
+        angles_deg["gh_axial"] = in_axial_window_deg(angles_deg["gh_axial"])
+        clamped = (theta_deg != elevation_deg) | (psi_deg != plane_deg)
+        for name, added in additions.items():
+            clamped |= added != getattr(command, name)
         return SmoothPoses(
             elevation_deg=theta_deg,
             plane_deg=psi_deg,
-            clamped=(theta_deg != elevation_deg) | (psi_deg != plane_deg),
+            **{f"{name}_deg": np.degrees(added) for name, added in additions.items()},
+            clamped=clamped,
             distance_deg=distance_from_measured_deg(elevation_deg, plane_deg),
             rotations=rotations,
             angles_deg=angles_deg,
@@ -600,8 +639,10 @@ class SmoothRhythm:
     ) -> dict[str, dict[str, Array]]:
         """Angular velocities of child in parent, in the parent's axes, by joint and by command.
 
-        w = 2 (d q / d t) q^-1, t the elevation or the plane: rad per rad. By central differences,
-        good to 1e-7 where the second derivative is continuous and to a few steps where it is not.
+        w = 2 (d q / d t) q^-1, t the elevation or the plane: rad per rad. By differences upwards,
+        which do not look across a border that the pose stands on:
+
+            f' = (-3 f(0) + 4 f(h) - f(2 h)) / (2 h)
         """
         elevation_deg, plane_deg = (
             np.atleast_1d(np.asarray(value, dtype=float)) for value in (elevation_deg, plane_deg)
@@ -611,10 +652,15 @@ class SmoothRhythm:
         )
         h = 1e-6
         result: dict[str, dict[str, Array]] = {joint: {} for joint in JOINT_SEQUENCES}
+        here = self.joint_rotations(command, closure, extent)
         for name, d_theta, d_psi in (("elevation", h, 0.0), ("plane", 0.0, h)):
-            after = self.joint_rotations(command.moved(d_theta, d_psi), closure, extent)
-            before = self.joint_rotations(command.moved(-d_theta, -d_psi), closure, extent)
+            once, twice = (
+                self.joint_rotations(command.moved(n * d_theta, n * d_psi), closure, extent)
+                for n in (1.0, 2.0)
+            )
             for joint in JOINT_SEQUENCES:
-                change = logs(multiply(after[joint], inverses(before[joint])))
-                result[joint][name] = change / (2.0 * h)
+                # From here, where the rotation vector is zero.
+                back = inverses(here[joint])
+                to_once, to_twice = (logs(multiply(q[joint], back)) for q in (once, twice))
+                result[joint][name] = (4.0 * to_once - to_twice) / (2.0 * h)
         return result

@@ -4,13 +4,14 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
 from conftest import SCENE, Girdle, Refuses, contents, expect_one_message, with_scene
 from reference_rhythm import DATABASE
 
-VERBS = ("solve", "generate", "simulate", "verify", "compare", "destep")
+VERBS = ("solve", "generate", "simulate", "verify", "compare", "continuity", "destep")
 
 # A complete command of each verb, given the scene of a model.
 ONE_POSE = ("solve", "--elevation", "23", "--plane", "50")
@@ -18,6 +19,7 @@ TABLE_OF_POSES = ("solve", "--in", "poses.csv")
 RAISE = ("simulate", SCENE, "--raise", "15:20", "--seconds", "0.1")
 VERIFY = ("verify", SCENE)
 GENERATE = ("generate", "--out", "new_model")
+CONTINUITY = ("continuity", "--interpolation", "slerp", "--closure", "table")
 COMPARE = ("compare", "--elevation", "30:120:30", "--plane", "0:90:45")
 DESTEP = ("destep", "--in", str(DATABASE), "--out", "smooth.csv")
 
@@ -30,7 +32,9 @@ def commands(*rows: Command) -> pytest.MarkDecorator:
     return pytest.mark.parametrize("command", rows, ids=[" ".join(row) for row in rows])
 
 
-every_verb = commands(ONE_POSE, TABLE_OF_POSES, RAISE, VERIFY, GENERATE, COMPARE, DESTEP)
+every_verb = commands(
+    ONE_POSE, TABLE_OF_POSES, RAISE, VERIFY, GENERATE, COMPARE, CONTINUITY, DESTEP
+)
 
 
 # --- Help ----------------------------------------------------------------------------------------
@@ -43,7 +47,7 @@ def test_help_names_every_verb(girdle_fine: Girdle) -> None:
 
 @pytest.mark.parametrize("verb", VERBS)
 def test_the_help_of_a_verb_gives_an_example(girdle_fine: Girdle, verb: str) -> None:
-    assert f"  girdle {verb} " in girdle_fine(verb, "--help").text
+    assert re.search(rf"^  girdle {verb}\b", girdle_fine(verb, "--help").text, re.MULTILINE)
 
 
 def test_the_version_is_printed_alone(girdle_fine: Girdle) -> None:
@@ -95,38 +99,59 @@ def test_a_missing_model_is_named(refuses: Refuses, command: Command) -> None:
     refuses(*command, because=("model", "--help"))
 
 
-# --- Choosing the rhythm, which four verbs share -------------------------------------------------
+# --- Choosing the rhythm -------------------------------------------------------------------------
 
-every_verb_that_chooses = commands(ONE_POSE, VERIFY, GENERATE, COMPARE)
+every_verb_that_chooses = commands(
+    ONE_POSE, TABLE_OF_POSES, RAISE, VERIFY, GENERATE, COMPARE, ("continuity",)
+)
 
 
 @every_verb_that_chooses
 @pytest.mark.parametrize(
     ("option", "word", "known"),
     [
-        ("--interpolation", "cubic", ("squad", "slerp")),
-        ("--interpolation", "SQUAD", ("squad", "slerp")),
-        ("--closure", "open", ("table",)),
+        ("--interpolation", "cubic", ("smooth, squad, slerp",)),
+        ("--interpolation", "SQUAD", ("smooth, squad, slerp",)),
+        ("--closure", "open", ("exact, table",)),
+        ("--range", "all", ("whole, clamp",)),
     ],
 )
 def test_an_unknown_word_for_the_rhythm_is_refused_with_the_known_ones(
     refuses: Refuses,
     generated: Path,
+    tmp_path: Path,
     command: Command,
     option: str,
     word: str,
     known: tuple[str, ...],
 ) -> None:
+    (tmp_path / "poses.csv").write_text(POSES)
     refuses(*with_scene(command, generated), option, word, because=(option, word, *known))
 
 
 @every_verb_that_chooses
-@pytest.mark.parametrize("option", ["--table", "--interpolation", "--closure"])
+@pytest.mark.parametrize("option", ["--table", "--interpolation", "--closure", "--range"])
 def test_an_empty_word_for_the_rhythm_is_refused(
-    refuses: Refuses, generated: Path, command: Command, option: str
+    refuses: Refuses, generated: Path, tmp_path: Path, command: Command, option: str
 ) -> None:
     """As typed with a shell variable that is not set; the default would be a silent surprise."""
+    (tmp_path / "poses.csv").write_text(POSES)
     refuses(*with_scene(command, generated), option, "", because=(option,))
+
+
+@every_verb_that_chooses
+@pytest.mark.parametrize(
+    "options",
+    [("--interpolation", "squad"), ("--interpolation", "slerp"), ("--closure", "table")],
+    ids=" ".join,
+)
+def test_the_whole_range_needs_what_has_a_rule_for_it(
+    refuses: Refuses, generated: Path, tmp_path: Path, command: Command, options: Command
+) -> None:
+    (tmp_path / "poses.csv").write_text(POSES)
+    words = (*with_scene(command, generated), *options, "--range", "whole")
+    because = ("these options do not go together", "range whole", "smooth", "exact", "range clamp")
+    refuses(*words, because=because)
 
 
 # --- Places that cannot be written ---------------------------------------------------------------
@@ -161,7 +186,13 @@ def test_a_folder_that_cannot_be_made_is_refused(
     refuses("generate", "--out", place, because=(place, "cannot be", "--out"))
 
 
-@commands((*ONE_POSE, "--out"), (*RAISE, "--trace"), ("generate", "--out"), DESTEP[:-1], (*COMPARE, "--out"))
+@commands(
+    (*ONE_POSE, "--out"),
+    (*RAISE, "--trace"),
+    ("generate", "--out"),
+    DESTEP[:-1],
+    (*COMPARE, "--out"),
+)
 def test_a_place_without_a_name_is_refused_by_its_option(
     refuses: Refuses, generated: Path, command: Command
 ) -> None:
@@ -185,6 +216,10 @@ def test_a_place_without_a_name_is_refused_by_its_option(
     (*DESTEP[:-1], "/dev/stdout"),
     COMPARE,
     (*COMPARE, "--json"),
+    CONTINUITY,
+    (*CONTINUITY, "--json"),
+    ("solve", "--pose", "relaxed"),
+    ("solve", "--elevation", "0:180:5", "--plane", "0"),
 )
 def test_a_full_standard_output_is_an_error(
     girdle: Girdle, generated: Path, tmp_path: Path, command: Command

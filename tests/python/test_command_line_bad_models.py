@@ -27,6 +27,7 @@ from conftest import (
     remove_element,
     with_scene,
 )
+from reference_rhythm import DATABASE
 
 VERBS: dict[str, tuple[str, ...]] = {
     "verify": ("verify",),
@@ -69,6 +70,32 @@ def actuator(name: str) -> str:
 
 def joint(name: str) -> str:
     return f".//joint[@name='{name}']"
+
+
+def table_line(
+    planes: tuple[str, ...] = ("0", "40", "90"), elevations: tuple[str, ...] | None = None
+) -> str:
+    """Some rows of the measured table as a model carries one."""
+    lines = [line for line in DATABASE.read_text().splitlines() if not line.startswith("#")]
+    rows = [line.split(",") for line in lines[1:]]
+    kept = [row for row in rows if row[0] in planes and (not elevations or row[1] in elevations)]
+    return ";".join([lines[0], *(",".join(row) for row in kept)])
+
+
+def add_command(name: str, root: ElementTree.Element) -> None:
+    attributes = find_element(root, actuator("plane_r")).attrib | {"name": name}
+    ElementTree.SubElement(find_element(root, "actuator"), "plugin", attributes)
+
+
+def add_two_shrugs(root: ElementTree.Element) -> None:
+    add_command("shrug_r", root)
+    add_command("shrug_two_r", root)
+
+
+def add_rate_command(root: ElementTree.Element) -> None:
+    add_command("elevation_rate_r", root)
+    put_config("interpolation", "squad")(root)
+    put_config("range", "clamp")(root)
 
 
 def repeat_actuator(name: str, second_name: str) -> Edit:
@@ -155,10 +182,34 @@ BROKEN_MODELS = (
         ),
         "unknown attribute": broken(add_config("speed", "fast"), "speed", MAKE_ANEW),
         "unknown interpolation": broken(
-            put_config("interpolation", "cubic"), 'interpolation is "cubic"', "squad", "slerp"
+            put_config("interpolation", "cubic"),
+            *('interpolation is "cubic"', '"smooth" or "squad" or "slerp"'),
         ),
-        "unknown closure": broken(put_config("closure", "open"), 'closure is "open"', "table"),
-        "broken table": broken(add_config("table", "plane_deg"), '"table":1: ', "is missing"),
+        "unknown closure": broken(
+            put_config("closure", "open"), 'closure is "open"', '"exact" or "table"'
+        ),
+        "unknown range": broken(put_config("range", "all"), 'range is "all"', '"whole" or "clamp"'),
+        "whole range without a rule for it": broken(
+            put_config("interpolation", "squad"), "range whole needs", "smooth", "range clamp"
+        ),
+        "whole range with the table's closure": broken(
+            put_config("closure", "table"), "range whole needs", "exact", "range clamp"
+        ),
+        "broken table": broken(put_config("table", "plane_deg"), '"table":1: ', "is missing"),
+        "two planes": broken(
+            put_config("table", table_line(planes=("0", "90"))),
+            *("has 2 planes", "smooth", "at least 3", "squad or slerp"),
+        ),
+        "three elevations": broken(
+            put_config("table", table_line(elevations=("30", "60", "90"))),
+            *("has 3 elevations", "smooth", "at least 4", "squad or slerp"),
+        ),
+        "rate command without an interpolation that has rates": broken(
+            add_rate_command, "elevation_rate", "squad", "no rates", "interpolation smooth"
+        ),
+        "shrug command twice": broken(
+            add_two_shrugs, "second command actuator", "for shrug", "Remove one"
+        ),
         "unknown plugin": broken(
             put("extension/plugin", "plugin", "girdle.rhytm"), "girdle.rhytm", MAKE_ANEW
         ),

@@ -70,10 +70,19 @@ def test_the_map_has_a_row_a_rhythm_and_position(small_map: Rows) -> None:
     assert list(small_map) == expected
 
 
-def test_girdles_rows_are_what_solve_gives(girdle_fine: Girdle, small_map: Rows) -> None:
-    for (rhythm, elevation, plane), row in small_map.items():
+@pytest.mark.parametrize(
+    "options",
+    [(), ("--interpolation", "squad", "--closure", "table"), ("--table", "measured")],
+    ids=" ".join,
+)
+def test_girdles_rows_are_what_solve_gives(
+    girdle_fine: Girdle, tmp_path: Path, options: tuple[str, ...]
+) -> None:
+    girdle_fine("compare", *MAP, *options, "--out", "map.csv")
+    for (rhythm, elevation, plane), row in read_map(tmp_path / "map.csv").items():
         if rhythm == "Girdle":
-            pose = ("solve", "--elevation", str(elevation), "--plane", str(plane), "--json")
+            place = ("--elevation", str(elevation), "--plane", str(plane))
+            pose = ("solve", *place, *options, "--json")
             expected_deg = json.loads(girdle_fine(*pose).text)["angles_deg"]
             found_deg = {name: float(row[f"{name}_deg"]) for name in COORDINATES}
             assert found_deg == pytest.approx(expected_deg, abs=ROUNDED_DEG)
@@ -249,7 +258,7 @@ def test_the_same_options_give_the_same_bytes(girdle_fine: Girdle, tmp_path: Pat
 def test_a_table_of_ones_own_is_what_is_compared_with(girdle_fine: Girdle, tmp_path: Path) -> None:
     """The relaxed posture everywhere: a frozen girdle differs by rounding alone."""
     header = "plane_deg,elevation_deg," + ",".join(f"{name}_deg" for name in COORDINATES)
-    places = [(plane, elevation) for plane in (0, 90) for elevation in (30, 60, 120)]
+    places = [(plane, elevation) for plane in (0, 40, 90) for elevation in (30, 60, 90, 120)]
     rows = [f"{p},{e},-19.2,-5.9,0,60.0,-2.5,-8.4,{-e},0,0" for p, e in places]
     (tmp_path / "table.csv").write_text("\n".join([header, *rows]) + "\n", encoding="utf-8")
     found = differences(summary(girdle_fine, *MAP, "--table", "table.csv"), "frozen girdle")

@@ -6,11 +6,12 @@ from __future__ import annotations
 
 import csv
 import json
+import math
 from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
-from conftest import MODEL_FILE, SCENE_FILE, Girdle, contents
+from conftest import MODEL_FILE, SCENE_FILE, Girdle, Refuses, contents, find_element
 from reference_rhythm import DATABASE
 
 # An angle that went through a quaternion and back.
@@ -20,6 +21,10 @@ ROUNDING_DEG = 1e-9
 CHANGED_PLANE, CHANGED_ELEVATION = "40", "60"
 CHANGED_COLUMN = "gh_flexion_deg"
 CHANGE_DEG = 2.5
+
+PUBLISHED = ("--interpolation", "squad", "--closure", "table")
+OFFSET_ACTUATORS = ("shrug_r", "protraction_r")
+RATE_ACTUATORS = ("elevation_rate_r", "plane_rate_r", "axial_rate_r")
 
 
 @pytest.fixture
@@ -103,17 +108,31 @@ def plugin_config(model: Path) -> dict[str | None, str | None]:
     return {config.get("key"): config.get("value") for config in configs}
 
 
-def test_the_built_in_table_is_not_carried(girdle_fine: Girdle, tmp_path: Path) -> None:
-    girdle_fine("generate", "--out", "model")
-    assert "table" not in plugin_config(tmp_path / "model" / MODEL_FILE)
+# Options, and what the plugin is told: interpolation, closure, range and table.
+CONFIGURED = [
+    ((), ("smooth", "exact", "whole", "destepped")),
+    (("--table", "measured"), ("smooth", "exact", "whole", "measured")),
+    (("--range", "clamp"), ("smooth", "exact", "clamp", "destepped")),
+    (("--closure", "table"), ("smooth", "table", "clamp", "destepped")),
+    (("--interpolation", "squad"), ("squad", "exact", "clamp", "measured")),
+    (PUBLISHED, ("squad", "table", "clamp", "measured")),
+    (
+        ("--interpolation", "slerp", "--table", "destepped"),
+        ("slerp", "exact", "clamp", "destepped"),
+    ),
+]
 
 
-@pytest.mark.parametrize("interpolation", ["squad", "slerp"])
-def test_the_model_carries_the_interpolation(
-    girdle_fine: Girdle, tmp_path: Path, interpolation: str
+@pytest.mark.parametrize(
+    ("options", "expected"), CONFIGURED, ids=[" ".join(options) for options, _ in CONFIGURED]
+)
+def test_the_model_says_what_it_moves_by(
+    girdle_fine: Girdle, tmp_path: Path, options: tuple[str, ...], expected: tuple[str, ...]
 ) -> None:
-    girdle_fine("generate", "--out", "model", "--interpolation", interpolation)
-    assert plugin_config(tmp_path / "model" / MODEL_FILE)["interpolation"] == interpolation
+    girdle_fine("generate", "--out", "model", *options)
+    config = plugin_config(tmp_path / "model" / MODEL_FILE)
+    keys = ("interpolation", "closure", "range", "table")
+    assert tuple(config[key] for key in keys) == expected
 
 
 def test_the_model_carries_the_table(
@@ -127,7 +146,7 @@ def test_the_model_carries_the_table(
     assert carried == list(csv.DictReader(written))
 
 
-@pytest.mark.parametrize("interpolation", ["squad", "slerp"])
+@pytest.mark.parametrize("interpolation", ["smooth", "squad", "slerp"])
 def test_a_model_with_a_table_of_its_own_verifies(
     girdle_fine: Girdle, changed_angle_deg: float, interpolation: str
 ) -> None:
@@ -140,7 +159,7 @@ def test_a_model_with_a_table_of_its_own_moves_by_it(
     girdle_fine: Girdle, tmp_path: Path, changed_angle_deg: float
 ) -> None:
     """What the plugin aims at in the simulation, at the position that was changed."""
-    girdle_fine("generate", "--out", "model", "--table", "mine.csv")
+    girdle_fine("generate", "--out", "model", "--table", "mine.csv", *PUBLISHED)
     (tmp_path / "stay.csv").write_text(
         f"time_s,elevation_deg,plane_deg\n0,{CHANGED_ELEVATION},{CHANGED_PLANE}\n"
     )
@@ -151,3 +170,64 @@ def test_a_model_with_a_table_of_its_own_moves_by_it(
     assert float(row[f"target_{CHANGED_COLUMN}"]) == pytest.approx(
         changed_angle_deg, abs=ROUNDING_DEG
     )
+
+
+# --- Further commands ----------------------------------------------------------------------------
+
+
+def actuator_names(model: Path) -> list[str]:
+    root = ElementTree.parse(model).getroot()
+    return [actuator.get("name", "") for actuator in root.findall("actuator/plugin")]
+
+
+@pytest.mark.parametrize(
+    ("options", "further"),
+    [
+        (("--offsets",), OFFSET_ACTUATORS),
+        (("--rates",), RATE_ACTUATORS),
+        (("--offsets", "--rates"), OFFSET_ACTUATORS + RATE_ACTUATORS),
+    ],
+    ids=["offsets", "rates", "both"],
+)
+def test_further_commands_stand_between_the_three_and_the_servos(
+    girdle_fine: Girdle,
+    generated: Path,
+    tmp_path: Path,
+    options: tuple[str, ...],
+    further: tuple[str, ...],
+) -> None:
+    plain = actuator_names(generated / MODEL_FILE)
+    girdle_fine("generate", "--out", "model", *options)
+    assert actuator_names(tmp_path / "model" / MODEL_FILE) == [*plain[:3], *further, *plain[3:]]
+
+
+def test_offsets_reach_as_far_as_a_clavicle_does(girdle_fine: Girdle, tmp_path: Path) -> None:
+    girdle_fine("generate", "--out", "model", "--offsets")
+    root = ElementTree.parse(tmp_path / "model" / MODEL_FILE).getroot()
+    for name, expected_deg in (("shrug_r", (-15, 35)), ("protraction_r", (-25, 30))):
+        actuator = find_element(root, f"actuator/plugin[@name='{name}']")
+        found_deg = [math.degrees(float(x)) for x in actuator.get("ctrlrange", "").split()]
+        assert found_deg == pytest.approx(expected_deg, abs=ROUNDING_DEG)
+
+
+@pytest.mark.parametrize("interpolation", ["squad", "slerp"])
+def test_rates_need_an_interpolation_that_has_them(refuses: Refuses, interpolation: str) -> None:
+    because = ("--rates", f"{interpolation} has no derivatives", "--interpolation smooth")
+    options = ("--interpolation", interpolation, "--rates")
+    refuses("generate", "--out", "model", *options, because=because)
+
+
+@pytest.mark.parametrize("options", [("--closure", "table"), ("--range", "clamp")], ids=" ".join)
+def test_rates_go_with_everything_smooth(girdle_fine: Girdle, options: tuple[str, ...]) -> None:
+    girdle_fine("generate", "--out", "model", "--rates", *options)
+
+
+def test_with_rates_the_joints_lag_less(girdle_fine: Girdle, generated: Path) -> None:
+    """Fed forward, the rates leave next to nothing but what the servos do not know: inertia."""
+    girdle_fine("generate", "--out", "model", "--rates")
+    motion = ("--raise", "0:150", "--plane", "40", "--seconds", "1.5", "--json")
+    plain, fed = (
+        json.loads(girdle_fine("simulate", scene, *motion).text)["worst_tracking_error_deg"]
+        for scene in (generated / SCENE_FILE, f"model/{SCENE_FILE}")
+    )
+    assert fed < plain / 2

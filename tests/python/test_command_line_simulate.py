@@ -23,9 +23,10 @@ from conftest import (
     contents,
     find_element,
 )
-from reference_rhythm import COORDINATES
+from reference_rhythm import COORDINATES, DATABASE
 
 COMMANDS = ("elevation_deg", "plane_deg", "axial_deg")
+OFFSETS = ("shrug_deg", "protraction_deg")
 
 # Bones, then sites: the landmarks in the order of data/landmarks.csv and, where two bones meet, the
 # second bone's own.
@@ -37,6 +38,8 @@ SITES = (
 TRACE_COLUMNS = [
     "time_s",
     *COMMANDS,
+    *OFFSETS,
+    "distance_deg",
     *(f"target_{coordinate}_deg" for coordinate in COORDINATES),
     *(f"{coordinate}_deg" for coordinate in COORDINATES),
     *(f"{bone}_q{component}" for bone in BONES for component in "wxyz"),
@@ -192,7 +195,7 @@ def test_the_commands_of_a_trace_are_a_motion_that_gives_the_same_angles(
     girdle_fine: Girdle, scene: Path, tmp_path: Path
 ) -> None:
     trace = girdle_fine("simulate", scene, *RAISE, "--trace", "-").text
-    motion = "\n".join(",".join(line.split(",")[:4]) for line in trace.splitlines())
+    motion = "\n".join(",".join(line.split(",")[:6]) for line in trace.splitlines())
     (tmp_path / "motion.csv").write_text(motion)
     replayed = girdle_fine("simulate", scene, "--motion", "motion.csv", "--trace", "-").text
     for found, expected in zip(read_trace(replayed), read_trace(trace), strict=True):
@@ -232,6 +235,8 @@ def test_the_summary_tells_what_the_trace_holds(
     assert summary["duration_s"] == rows[-1]["time_s"]
     assert summary["worst_tracking_error_deg"] == pytest.approx(max(errors_deg), abs=ROUNDING)
     assert summary["last_tracking_error_deg"] == pytest.approx(errors_deg[-1], abs=ROUNDING)
+    distances_deg = [row["distance_deg"] for row in rows]
+    assert summary["worst_distance_deg"] == pytest.approx(max(distances_deg), abs=ROUNDING)
 
 
 def test_the_text_gives_the_numbers_of_the_json(girdle_fine: Girdle, scene: Path) -> None:
@@ -343,6 +348,160 @@ def test_a_mistake_in_a_motion_file_is_refused_with_file_and_line(
         *("simulate", scene, "--motion", "motion.csv", "--trace", "trace.csv"),
         because=(f"motion.csv:{wrong.line}: ", *wrong.patterns),
     )
+
+
+# --- Outside what was measured -------------------------------------------------------------------
+
+
+def test_the_trace_says_how_far_each_command_is_from_measured_ones(
+    girdle_fine: Girdle, scene: Path
+) -> None:
+    motion = ("--raise", "0:150", "--plane", "0", "--seconds", "0.2")
+    rows = read_trace(girdle_fine("simulate", scene, *motion, "--trace", "-").text)
+    for row in rows:
+        elevation_deg = row["elevation_deg"]
+        expected_deg = max(15 - elevation_deg, elevation_deg - 120, 0)
+        assert row["distance_deg"] == pytest.approx(expected_deg, abs=ROUNDING), row["time_s"]
+
+
+def test_the_summary_says_that_a_motion_leaves_what_was_measured(
+    girdle_fine: Girdle, scene: Path
+) -> None:
+    high = ("simulate", scene, "--raise", "90:150", "--plane", "0", "--seconds", "0.2")
+    summary = json.loads(girdle_fine(*high, "--json").text)
+    assert summary["worst_distance_deg"] == pytest.approx(30, abs=ROUNDING)
+    assert summary["clamped_rows"] == 0
+    assert "up to 30 deg from measured positions" in girdle_fine(*high).text
+    inside = ("simulate", scene, "--raise", "30:90", "--plane", "40", "--seconds", "0.2")
+    assert json.loads(girdle_fine(*inside, "--json").text)["worst_distance_deg"] == 0
+    assert "measured" not in girdle_fine(*inside).text
+
+
+def test_commands_out_of_reach_are_counted(girdle_fine: Girdle, scene: Path) -> None:
+    motion = ("simulate", scene, "--raise", "170:190", "--plane", "0", "--seconds", "0.2")
+    rows = read_trace(girdle_fine(*motion, "--trace", "-").text)
+    beyond = sum(row["elevation_deg"] > 180 for row in rows)
+    assert 0 < beyond < len(rows)
+    assert json.loads(girdle_fine(*motion, "--json").text)["clamped_rows"] == beyond
+    assert f"{beyond} commands lay outside" in girdle_fine(*motion).text
+
+
+# --- Offsets -------------------------------------------------------------------------------------
+
+SHRUG = (
+    "time_s,elevation_deg,plane_deg,shrug_deg,protraction_deg\n0,30,20,0,0\n0.2,60,40,10,-4\n"
+)
+
+
+@pytest.fixture
+def scene_with_offsets(girdle_fine: Girdle, tmp_path: Path) -> Path:
+    girdle_fine("generate", "--out", "offsets", "--offsets")
+    return tmp_path / "offsets" / SCENE_FILE
+
+
+def test_a_motion_file_may_shrug_and_protract(
+    girdle_fine: Girdle, scene_with_offsets: Path, tmp_path: Path
+) -> None:
+    """The targets are what solve says of the same commands."""
+    (tmp_path / "motion.csv").write_text(SHRUG)
+    motion = ("--motion", "motion.csv", "--trace", "-")
+    rows = read_trace(girdle_fine("simulate", scene_with_offsets, *motion).text)
+    for share, row in ((0, rows[0]), (0.5, rows[50]), (1, rows[-1])):
+        assert row["shrug_deg"] == pytest.approx(10 * share, abs=ROUNDING)
+        assert row["protraction_deg"] == pytest.approx(-4 * share, abs=ROUNDING)
+        pose = [f"--{name.removesuffix('_deg')}={row[name]!r}" for name in (*COMMANDS, *OFFSETS)]
+        expected_deg = json.loads(girdle_fine("solve", *pose, "--json").text)["angles_deg"]
+        targets_deg = {c: row[f"target_{c}_deg"] for c in COORDINATES}
+        assert targets_deg == pytest.approx(expected_deg, abs=ROUNDING)
+
+
+def test_offsets_that_end_at_a_joints_range_are_counted(
+    girdle_fine: Girdle, scene_with_offsets: Path, tmp_path: Path
+) -> None:
+    """With the arm high a clavicle has no room for the largest shrug, with the arm low it has."""
+    header = "time_s,elevation_deg,plane_deg,shrug_deg\n"
+    for elevation_deg, plane_deg, clamped_rows in ((150, 0, 11), (10, 90, 0)):
+        place = f"{elevation_deg},{plane_deg},35\n"
+        (tmp_path / "motion.csv").write_text(f"{header}0,{place}0.02,{place}")
+        words = ("simulate", scene_with_offsets, "--motion", "motion.csv", "--json")
+        assert json.loads(girdle_fine(*words).text)["clamped_rows"] == clamped_rows
+        pose = (f"--elevation={elevation_deg}", f"--plane={plane_deg}", "--shrug=35", "--json")
+        clamped = json.loads(girdle_fine("solve", *pose).text)["clamped"]
+        assert clamped == (clamped_rows > 0)
+
+
+def test_a_column_of_zeros_needs_no_command(
+    girdle_fine: Girdle, scene: Path, tmp_path: Path
+) -> None:
+    zeros = SHRUG.replace(",10,-4", ",0,0")
+    (tmp_path / "motion.csv").write_text(zeros)
+    girdle_fine("simulate", scene, "--motion", "motion.csv")
+
+
+def test_without_offsets_their_columns_are_zero(girdle_fine: Girdle, scene: Path) -> None:
+    rows = read_trace(girdle_fine("simulate", scene, *RAISE, "--trace", "-").text)
+    assert {row[name] for row in rows for name in OFFSETS} == {0.0}
+
+
+@pytest.mark.parametrize("name", ["shrug", "protraction"])
+def test_an_offset_needs_a_model_with_a_command_for_it(
+    refuses: Refuses, scene: Path, tmp_path: Path, name: str
+) -> None:
+    (tmp_path / "motion.csv").write_text(
+        f"time_s,elevation_deg,plane_deg,{name}_deg\n0,30,20,0\n0.2,60,40,5\n"
+    )
+    because = (re.escape(str(scene)), f'no actuator "{name}_r"', "girdle generate --offsets")
+    words = ("--motion", "motion.csv", "--trace", "trace.csv")
+    refuses("simulate", scene, *words, because=because)
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "bounds"),
+    [("shrug", "36", "-15 to 35"), ("shrug", "-16", "-15 to 35")]
+    + [("protraction", "31", "-25 to 30"), ("protraction", "-26", "-25 to 30")],
+)
+def test_an_offset_that_no_clavicle_makes_is_refused_with_its_line(
+    refuses: Refuses, scene_with_offsets: Path, tmp_path: Path, name: str, value: str, bounds: str
+) -> None:
+    (tmp_path / "motion.csv").write_text(
+        f"time_s,elevation_deg,plane_deg,{name}_deg\n0,30,20,0\n0.2,60,40,{value}\n"
+    )
+    because = ("motion.csv:3: ", f"{name}_deg is {value}", bounds)
+    words = ("--motion", "motion.csv", "--trace", "trace.csv")
+    refuses("simulate", scene_with_offsets, *words, because=because)
+
+
+# --- Held to a rhythm ----------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("options", "what"),
+    [
+        (("--interpolation", "squad"), "interpolation than squad"),
+        (("--closure", "table"), "closure than table"),
+        (("--range", "clamp"), "range than clamp"),
+        (("--table", "measured"), "table than measured"),
+        (("--table", str(DATABASE)), f"table than {re.escape(str(DATABASE))}"),
+    ],
+    ids=lambda value: " ".join(value) if isinstance(value, tuple) else "",
+)
+def test_a_model_that_moves_by_another_rhythm_is_refused(
+    refuses: Refuses, scene: Path, options: tuple[str, ...], what: str
+) -> None:
+    because = (re.escape(str(scene)), f"another {what}", "girdle generate")
+    refuses("simulate", scene, *RAISE, "--trace", "trace.csv", *options, because=because)
+
+
+def test_a_model_that_moves_by_the_rhythm_named_is_simulated(
+    girdle_fine: Girdle, scene: Path
+) -> None:
+    options = ("--interpolation", "smooth", "--closure", "exact", "--range", "whole")
+    table = ("--table", "destepped")
+    plain = girdle_fine("simulate", scene, *RAISE, "--trace", "-").output
+    assert girdle_fine("simulate", scene, *RAISE, "--trace", "-", *options, *table).output == plain
+
+
+# --- Simulations that break off ------------------------------------------------------------------
 
 
 def unstable(root: ElementTree.Element) -> None:

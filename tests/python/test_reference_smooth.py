@@ -40,6 +40,7 @@ from reference_smooth import (
     lowest_plane_deg,
     mean_rotation,
     rate,
+    read_joint_ranges,
     swing,
     turned,
     turns,
@@ -329,8 +330,33 @@ def test_offsets_move_the_clavicle_and_glenohumeral_follows(smooth: SmoothRhythm
 def test_what_the_table_cannot_close_is_refused(smooth: SmoothRhythm) -> None:
     with pytest.raises(ValueError, match="nothing is measured outside"):
         smooth.solve(60.0, 30.0, closure="table", extent="whole")
-    with pytest.raises(ValueError, match="needs the exact closure"):
-        smooth.solve(60.0, 30.0, shrug_deg=1.0, closure="table", extent="clamp")
+
+
+# The angle that each adds to, and its sign there.
+ADDITIONS = [
+    ("axial", "gh_axial", 1.0),
+    ("shrug", "sc_elevation", -1.0),
+    ("protraction", "sc_protraction", 1.0),
+]
+
+
+@pytest.mark.parametrize(("name", "coordinate", "sign"), ADDITIONS)
+def test_additions_end_at_the_joints_ranges(
+    database: list[Position], smooth: SmoothRhythm, name: str, coordinate: str, sign: float
+) -> None:
+    ranges = read_joint_ranges()
+    random = np.random.default_rng(SEED)
+    poses_deg = reachable_poses(random)
+    added_deg = random.uniform(-150.0, 150.0, SAMPLES)
+    plain_deg = smooth.solve(*poses_deg).angles_deg[coordinate]
+    poses = SmoothRhythm(database, ranges).solve(*poses_deg, **{f"{name}_deg": added_deg})
+    expected_deg = np.clip(plain_deg + sign * added_deg, *ranges[coordinate])
+    assert np.abs(poses.angles_deg[coordinate] - expected_deg).max() < 10.0 * ROUNDING_DEG
+    used_deg = sign * getattr(poses, f"{name}_deg")
+    assert np.abs(plain_deg + used_deg - expected_deg).max() < 10.0 * ROUNDING_DEG
+    is_free = np.abs(used_deg - sign * added_deg) < ROUNDING_DEG
+    assert np.array_equal(poses.clamped, ~is_free)
+    assert 0 < is_free.sum() < SAMPLES
 
 
 # --- The whole range -----------------------------------------------------------------------------
