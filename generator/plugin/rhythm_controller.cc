@@ -208,18 +208,19 @@ ArmAngles RhythmController::Reached(const mjData& data) const noexcept {
                                BodyRotation(data, humerus_body_));
 }
 
-RhythmController::Aim RhythmController::AimFor(const mjModel& model, const mjData& data) noexcept {
+const RhythmController::Aim& RhythmController::AimFor(const mjModel& model,
+                                                      const mjData& data) noexcept {
   const ArmCommand command = ReadCommand(model, data);
   if (command == solved_command_) {
     return solved_;
   }
   if (!IsNumber(command)) {
     const ArmAngles reached = Reached(data);
-    Aim aim{{reached.elevation_rad, reached.plane_rad}, {}, true};
+    holding_ = {{reached.elevation_rad, reached.plane_rad}, {}, true};
     for (std::size_t k = 0; k < kCoordinateCount; ++k) {
-      aim.target_rad[k] = data.qpos[servos_[k].qpos_address];
+      holding_.target_rad[k] = data.qpos[servos_[k].qpos_address];
     }
-    return aim;
+    return holding_;
   }
   solved_command_ = command;
   solved_.target_rad = AnglesFromPose(rhythm_->SolvePose(command, &solved_.used));
@@ -260,7 +261,7 @@ bool RhythmController::FeedsForward(const mjModel& model) const noexcept {
 }
 
 void RhythmController::Actuate(const mjModel& model, mjData& data) noexcept {
-  const Aim aim = AimFor(model, data);
+  const Aim& aim = AimFor(model, data);
   JointAngles rates{};
   if (FeedsForward(model) && !aim.holds) {
     rates = TargetRates(model, data, aim);
@@ -281,7 +282,7 @@ void RhythmController::Actuate(const mjModel& model, mjData& data) noexcept {
 }
 
 void RhythmController::Sense(const mjModel& model, mjData& data) noexcept {
-  const Aim aim = AimFor(model, data);
+  const Aim& aim = AimFor(model, data);
   WriteSensors(data, aim);
   const ArmAngles reached = Reached(data);
   for (const Sensor& sensor : sensors_) {

@@ -97,7 +97,8 @@ class RhythmController {
   void FindSensors(const mjModel& model, int instance);
   [[nodiscard]] JointRanges RangesOf(const mjModel& model) const noexcept;
   [[nodiscard]] ArmCommand ReadCommand(const mjModel& model, const mjData& data) const noexcept;
-  [[nodiscard]] Aim AimFor(const mjModel& model, const mjData& data) noexcept;
+  /// Valid until the next call.
+  [[nodiscard]] const Aim& AimFor(const mjModel& model, const mjData& data) noexcept;
   [[nodiscard]] ArmAngles Reached(const mjData& data) const noexcept;
   [[nodiscard]] JointAngles TargetRates(const mjModel& model, const mjData& data,
                                         const Aim& aim) const noexcept;
@@ -118,6 +119,7 @@ class RhythmController {
   /// spares the servos what the sensor has computed in the same step.
   ArmCommand solved_command_;
   Aim solved_{};
+  Aim holding_{};  ///< where the joints are, while a command is not a number
 };
 
 }  // namespace girdle

@@ -17,9 +17,11 @@
 #include <fstream>
 #include <glm/gtc/quaternion.hpp>
 #include <map>
+#include <memory>
 #include <random>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mjcf/shoulder_model.h"
@@ -33,8 +35,20 @@ namespace {
 constexpr std::size_t kPoses = 4096;  // a power of two: the next one is a bit mask away
 constexpr unsigned kSeed = 20090201;
 
+// All things in turn, so many times.
+constexpr int kRounds = 41;
+
 constexpr const char* kFloor = "three glm::slerp";
-constexpr const char* kStepWithout = "mj_step, nine position servos, no plugin";
+constexpr const char* kHeldWithout = "mj_step, nine position servos, targets held";
+constexpr const char* kHeldWith = "mj_step, plugin and sensor, commands held";
+constexpr const char* kMovingWithout = "mj_step, nine position servos, given each pose";
+constexpr const char* kMovingWith = "mj_step, plugin and sensor, another pose each step";
+
+double Median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
 
 // Positions of the arm all over the table.
 const std::vector<ArmCommand>& RandomCommands() {
@@ -93,22 +107,22 @@ void RegisterPoses() {
     }
   });
   const auto quaternions = [](const char* name, const RhythmOptions& options) {
-    benchmark::RegisterBenchmark(name, [options](benchmark::State& state) {
-      const ShoulderRhythm rhythm = BuiltInRhythm(options);
-      ForEachCommand(state, [&](const ArmCommand& c) { return rhythm.SolvePose(c); });
+    const auto rhythm = std::make_shared<const ShoulderRhythm>(BuiltInRhythm(options));
+    benchmark::RegisterBenchmark(name, [rhythm](benchmark::State& state) {
+      ForEachCommand(state, [&](const ArmCommand& c) { return rhythm->SolvePose(c); });
     });
   };
   const auto angles = [](const char* name, const RhythmOptions& options) {
-    benchmark::RegisterBenchmark(name, [options](benchmark::State& state) {
-      const ShoulderRhythm rhythm = BuiltInRhythm(options);
+    const auto rhythm = std::make_shared<const ShoulderRhythm>(BuiltInRhythm(options));
+    benchmark::RegisterBenchmark(name, [rhythm](benchmark::State& state) {
       ForEachCommand(state,
-                     [&](const ArmCommand& c) { return AnglesFromPose(rhythm.SolvePose(c)); });
+                     [&](const ArmCommand& c) { return AnglesFromPose(rhythm->SolvePose(c)); });
     });
   };
   const auto rates = [](const char* name, const RhythmOptions& options) {
-    benchmark::RegisterBenchmark(name, [options](benchmark::State& state) {
-      const ShoulderRhythm rhythm = BuiltInRhythm(options);
-      ForEachCommand(state, [&](const ArmCommand& c) { return rhythm.SolveRates(c); });
+    const auto rhythm = std::make_shared<const ShoulderRhythm>(BuiltInRhythm(options));
+    benchmark::RegisterBenchmark(name, [rhythm](benchmark::State& state) {
+      ForEachCommand(state, [&](const ArmCommand& c) { return rhythm->SolveRates(c); });
     });
   };
   const RhythmOptions slerp{Interpolation::kSlerp, Closure::kTable, {}};
@@ -124,18 +138,38 @@ void RegisterPoses() {
   angles("squad, Euler angles", squad);
   angles("smooth, Euler angles", smooth);
   angles("smooth and exact, Euler angles", {});
+  const auto rhythm = std::make_shared<const ShoulderRhythm>(BuiltInRhythm());
   benchmark::RegisterBenchmark(
-      "smooth and exact, all derivatives of the angles", [](benchmark::State& state) {
-        const ShoulderRhythm rhythm = BuiltInRhythm();
-        ForEachCommand(state, [&](const ArmCommand& c) { return rhythm.SolveDerivatives(c); });
+      "smooth and exact, all derivatives of the angles", [rhythm](benchmark::State& state) {
+        ForEachCommand(state, [&](const ArmCommand& c) { return rhythm->SolveDerivatives(c); });
       });
 }
 
-enum class Commanding { kHeld, kMoving };
+constexpr int kStepsPerRun = 2000;
 
-// Steps a model from its third keyframe, anew after so many steps.
-void Step(benchmark::State& state, const mjModel& model, Commanding commanding) {
-  constexpr int kStepsPerRun = 2000;
+// Every step asks for another pose, so that nothing can be reused.
+ArmCommand CommandOf(int step) {
+  return {RadiansFromDegrees(60 + 0.01 * step), RadiansFromDegrees(20 + 0.02 * step)};
+}
+
+// Controls of such steps: the commands for the plugin, the joints' angles for servos.
+std::vector<std::vector<double>> MovingControls(Actuation actuation) {
+  const ShoulderRhythm rhythm = BuiltInRhythm();
+  std::vector<std::vector<double>> controls;
+  for (int step = 0; step < kStepsPerRun; ++step) {
+    const ArmCommand command = CommandOf(step);
+    const JointAngles angles_rad = AnglesFromPose(rhythm.SolvePose(command));
+    controls.emplace_back(angles_rad.begin(), angles_rad.end());
+    if (actuation == Actuation::kPlugin) {
+      controls.back() = {command.elevation_rad, command.plane_rad};
+    }
+  }
+  return controls;
+}
+
+// Steps a model from its fourth keyframe, anew after so many steps.
+void Step(benchmark::State& state, const mjModel& model,
+          const std::vector<std::vector<double>>& controls) {
   const DataPointer data = MakeData(model);
   int step = kStepsPerRun;
   for ([[maybe_unused]] auto iteration : state) {
@@ -145,10 +179,8 @@ void Step(benchmark::State& state, const mjModel& model, Commanding commanding) 
       step = 0;
       state.ResumeTiming();
     }
-    if (commanding == Commanding::kMoving) {
-      // Every step asks for another pose, so that nothing can be reused.
-      data->ctrl[0] = RadiansFromDegrees(60 + 0.01 * step);
-      data->ctrl[1] = RadiansFromDegrees(20 + 0.02 * step);
+    if (!controls.empty()) {
+      std::copy(controls[step].begin(), controls[step].end(), data->ctrl);
     }
     mj_step(&model, data.get());
     ++step;
@@ -157,35 +189,36 @@ void Step(benchmark::State& state, const mjModel& model, Commanding commanding) 
 
 void RegisterEngine() {
   const auto model_of = [](Actuation actuation) {
-    return LoadModel({{"shoulder.xml", ShoulderModelXml(BuiltInAnatomy(), BuiltInRhythm(),
-                                                        {.actuation = actuation})}});
+    return std::shared_ptr<const mjModel>(
+        LoadModel({{"shoulder.xml", ShoulderModelXml(BuiltInAnatomy(), BuiltInRhythm(),
+                                                     {.actuation = actuation})}}));
   };
-  benchmark::RegisterBenchmark("mj_kinematics of the model", [=](benchmark::State& state) {
-    const ModelPointer model = model_of(Actuation::kPlugin);
-    const DataPointer data = MakeData(*model);
-    for ([[maybe_unused]] auto iteration : state) {
-      mj_kinematics(model.get(), data.get());
-    }
-  });
-  const auto step = [=](const char* name, Actuation actuation, Commanding commanding) {
-    benchmark::RegisterBenchmark(name, [=](benchmark::State& state) {
-      const ModelPointer model = model_of(actuation);
-      Step(state, *model, commanding);
-    });
+  benchmark::RegisterBenchmark("mj_kinematics of the model",
+                               [model = model_of(Actuation::kPlugin)](benchmark::State& state) {
+                                 const DataPointer data = MakeData(*model);
+                                 for ([[maybe_unused]] auto iteration : state) {
+                                   mj_kinematics(model.get(), data.get());
+                                 }
+                               });
+  const auto step = [=](const char* name, Actuation actuation, bool moves) {
+    benchmark::RegisterBenchmark(
+        name, [model = model_of(actuation),
+               controls = moves ? MovingControls(actuation) : std::vector<std::vector<double>>()](
+                  benchmark::State& state) { Step(state, *model, controls); });
   };
-  step(kStepWithout, Actuation::kPosition, Commanding::kHeld);
-  step("mj_step, plugin and sensor, commands held", Actuation::kPlugin, Commanding::kHeld);
-  step("mj_step, plugin and sensor, another pose each step", Actuation::kPlugin,
-       Commanding::kMoving);
+  step(kHeldWithout, Actuation::kPosition, false);
+  step(kHeldWith, Actuation::kPlugin, false);
+  step(kMovingWithout, Actuation::kPosition, true);
+  step(kMovingWith, Actuation::kPlugin, true);
 }
 
-// Keeps the times of all repetitions; prints nothing by itself.
-class MedianReporter : public benchmark::BenchmarkReporter {
+// Keeps the times of all rounds; prints nothing by itself.
+class RoundReporter : public benchmark::BenchmarkReporter {
  public:
   bool ReportContext(const Context& /*context*/) override { return true; }
   void ReportRuns(const std::vector<Run>& runs) override {
     for (const Run& run : runs) {
-      if (run.run_type == Run::RT_Iteration && !run.error_occurred) {
+      if (!run.error_occurred) {
         times_ns_[run.run_name.function_name].push_back(run.GetAdjustedRealTime());
       }
     }
@@ -193,18 +226,22 @@ class MedianReporter : public benchmark::BenchmarkReporter {
 
   /// Nothing that was filtered away is known.
   [[nodiscard]] bool Has(const std::string& name) const { return times_ns_.contains(name); }
-  [[nodiscard]] double Median(const std::string& name) const {
-    std::vector<double> times = times_ns_.at(name);
-    const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
-    std::nth_element(times.begin(), middle, times.end());
-    return *middle;
+  [[nodiscard]] double Time_ns(const std::string& name) const { return Median(times_ns_.at(name)); }
+  /// Of the times in the same round: a machine that changes its pace changes both.
+  [[nodiscard]] double Ratio(const std::string& name, const std::string& to) const {
+    std::vector<double> ratios = times_ns_.at(name);
+    const std::vector<double>& floor = times_ns_.at(to);
+    for (std::size_t round = 0; round < ratios.size(); ++round) {
+      ratios[round] /= floor.at(round);
+    }
+    return Median(std::move(ratios));
   }
 
  private:
   std::map<std::string, std::vector<double>> times_ns_;
 };
 
-void PrintPoses(const MedianReporter& times) {
+void PrintPoses(const RoundReporter& times) {
   if (!times.Has(kFloor)) {
     return;
   }
@@ -215,28 +252,24 @@ void PrintPoses(const MedianReporter& times) {
         "squad, Euler angles", "smooth, Euler angles", "smooth and exact, Euler angles",
         "smooth and exact, all derivatives of the angles", "mj_kinematics of the model"}) {
     if (times.Has(name)) {
-      std::printf("%-50s %9.1f %20.2f x\n", name, times.Median(name),
-                  times.Median(name) / times.Median(kFloor));
+      std::printf("%-50s %9.1f %20.2f x\n", name, times.Time_ns(name), times.Ratio(name, kFloor));
     }
   }
 }
 
-void PrintSteps(const MedianReporter& times) {
-  if (!times.Has(kStepWithout)) {
-    return;
-  }
+void PrintSteps(const RoundReporter& times) {
   std::printf("\n%-50s %9s %22s\n", "one step of the right shoulder", "ns", "added by the plugin");
-  std::printf("%-50s %9.0f\n", kStepWithout, times.Median(kStepWithout));
-  for (const char* name : {"mj_step, plugin and sensor, commands held",
-                           "mj_step, plugin and sensor, another pose each step"}) {
-    if (times.Has(name)) {
-      std::printf("%-50s %9.0f %+20.1f %%\n", name, times.Median(name),
-                  100 * (times.Median(name) / times.Median(kStepWithout) - 1));
+  for (const auto& [without, with] :
+       {std::pair{kHeldWithout, kHeldWith}, std::pair{kMovingWithout, kMovingWith}}) {
+    if (times.Has(without) && times.Has(with)) {
+      std::printf("%-50s %9.0f\n", without, times.Time_ns(without));
+      std::printf("%-50s %9.0f %+20.1f %%\n", with, times.Time_ns(with),
+                  100 * (times.Ratio(with, without) - 1));
     }
   }
 }
 
-// A million random positions as a file.
+// Random positions as a file.
 void WritePoses(const std::filesystem::path& path, int rows) {
   std::mt19937_64 random(kSeed);
   std::uniform_real_distribution<double> elevation_deg(15, 120);
@@ -252,11 +285,16 @@ void WritePoses(const std::filesystem::path& path, int rows) {
   }
 }
 
-// Seconds that `girdle solve` takes from file to file.
-double SolveSeconds(const std::string& girdle, const std::filesystem::path& in,
-                    const std::filesystem::path& out, int threads) {
-  const std::string command = "'" + girdle + "' solve --in '" + in.string() + "' --out '" +
-                              out.string() + "' --threads " + std::to_string(threads);
+// Seconds that so many runs of `girdle solve` at the same time take, from file to file.
+double SolveSeconds(const std::string& girdle, const std::filesystem::path& folder, int threads,
+                    int runs = 1) {
+  std::string command;
+  for (int run = 0; run < runs; ++run) {
+    command += "'" + girdle + "' solve --in '" + (folder / "poses.csv").string() + "' --out '" +
+               (folder / ("angles" + std::to_string(run) + ".csv")).string() + "' --threads " +
+               std::to_string(threads) + " & ";
+  }
+  command += "wait";
   const auto start = std::chrono::steady_clock::now();
   // NOLINTNEXTLINE(cert-env33-c): a program of this build, paths of this process
   if (std::system(command.c_str()) != 0) {
@@ -267,7 +305,7 @@ double SolveSeconds(const std::string& girdle, const std::filesystem::path& in,
 
 void PrintRows(const std::string& girdle) {
   constexpr int kRows = 2'000'000;
-  constexpr int kRounds = 7;
+  constexpr int kFileRounds = 7;
   const std::filesystem::path folder = std::filesystem::temp_directory_path() /
                                        ("girdle_speed_" + std::to_string(std::random_device{}()));
   std::filesystem::create_directory(folder);
@@ -275,26 +313,24 @@ void PrintRows(const std::string& girdle) {
   std::vector<double> one;
   std::vector<double> two;
   std::vector<double> ratios;
-  for (int round = 0; round < kRounds; ++round) {
-    one.push_back(SolveSeconds(girdle, folder / "poses.csv", folder / "angles.csv", 1));
-    two.push_back(SolveSeconds(girdle, folder / "poses.csv", folder / "angles.csv", 2));
+  std::vector<double> possible;
+  for (int round = 0; round < kFileRounds; ++round) {
+    one.push_back(SolveSeconds(girdle, folder, 1));
+    two.push_back(SolveSeconds(girdle, folder, 2));
     ratios.push_back(one.back() / two.back());
+    possible.push_back(2 * one.back() / SolveSeconds(girdle, folder, 1, 2));
   }
   std::filesystem::remove_all(folder);
-  const auto median = [](std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
-  };
-  std::printf("\n%-50s %9s\n", "girdle solve, file to file, smooth and exact", "rows/s");
-  std::printf("%-50s %9.0f\n", "one thread", kRows / median(one));
-  std::printf("%-50s %9.0f %20.2f x\n", "two threads", kRows / median(two), median(ratios));
+  std::printf("\n%-50s %9s %22s\n", "girdle solve, file to file, smooth and exact", "rows/s",
+              "one thread");
+  std::printf("%-50s %9.0f %20.2f x\n", "one thread", kRows / Median(one), 1.0);
+  std::printf("%-50s %9.0f %20.2f x\n", "two threads", kRows / Median(two), Median(ratios));
+  std::printf("%-50s %9s %20.2f x\n", "two programs at once, one thread each", "",
+              Median(possible));
 }
 
 int Run(int argc, char** argv) {
-  // Many short repetitions in random order, so that all see the same machine.
-  std::vector<std::string> words = {argv[0], "--benchmark_repetitions=15",
-                                    "--benchmark_min_time=0.05",
-                                    "--benchmark_enable_random_interleaving=true"};
+  std::vector<std::string> words = {argv[0], "--benchmark_min_time=0.01"};
   words.insert(words.end(), argv + 1, argv + argc);
   std::vector<char*> pointers;
   pointers.reserve(words.size());
@@ -310,8 +346,10 @@ int Run(int argc, char** argv) {
   LoadPlugin(plugin);
   RegisterPoses();
   RegisterEngine();
-  MedianReporter times;
-  benchmark::RunSpecifiedBenchmarks(&times);
+  RoundReporter times;
+  for (int round = 0; round < kRounds; ++round) {
+    benchmark::RunSpecifiedBenchmarks(&times);
+  }
   EngineWatch::ExpectNoWarning("stepping");
   PrintPoses(times);
   PrintSteps(times);

@@ -309,6 +309,7 @@ class SmoothPoses:
     shrug_deg: Array
     protraction_deg: Array
     clamped: Array  # bool: it is another one than the given
+    gh_stops: Array  # bool: GH's ranges left no room for all of the offsets
     distance_deg: Array
     rotations: dict[str, Array]  # "sc" q_TC, "ac" q_CS, "gh" q_SH
     angles_deg: dict[str, Array]  # by coordinate
@@ -519,6 +520,45 @@ class SmoothRhythm:
         low, high = np.radians(self.ranges.get(coordinate, (-math.inf, math.inf)))
         return np.clip(added, np.minimum(low - angle, 0.0), np.maximum(high - angle, 0.0))
 
+    def share_that_gh_allows(
+        self, angles: Array, offset: Array, q_CS: Array, q_TH: Array
+    ) -> Array:
+        """GH makes up for the girdle: how much of the clavicle's offset its ranges leave room for.
+
+        As in `bounded`, an angle that is outside already may not go further out.
+        """
+
+        def gh_angles_deg(columns: Array, share: Array) -> Array:
+            moved = euler_quaternions(
+                "yxz", np.degrees(angles[:, columns] + share * offset[:, columns])
+            )
+            q_SH = multiply(inverses(multiply(moved, q_CS[:, columns])), q_TH[:, columns])
+            gh = np.stack(euler_angles_deg("xzy", q_SH))
+            gh[2] = in_axial_window_deg(gh[2])
+            return gh
+
+        everywhere = np.arange(angles.shape[1])
+        own = gh_angles_deg(everywhere, np.zeros(angles.shape[1]))
+        limits = np.array(
+            [self.ranges.get(c, (-math.inf, math.inf)) for c in JOINT_COORDINATES["gh"]]
+        )
+        low = np.minimum(limits[:, [0]], own) - 1e-10
+        high = np.maximum(limits[:, [1]], own) + 1e-10
+
+        def fits(columns: Array, share: Array) -> Array:
+            gh = gh_angles_deg(columns, share)
+            return ((gh >= low[:, columns]) & (gh <= high[:, columns])).all(axis=0)
+
+        share = np.ones(angles.shape[1])
+        stopped = everywhere[~fits(everywhere, share)]
+        possible, impossible = np.zeros(stopped.size), np.ones(stopped.size)
+        for _ in range(60):
+            middle = (possible + impossible) / 2.0
+            fit = fits(stopped, middle)
+            possible, impossible = np.where(fit, middle, possible), np.where(fit, impossible, middle)
+        share[stopped] = possible
+        return share
+
     def joint_rotations(
         self, command: Command, closure: Closure, extent: Extent
     ) -> dict[str, Array]:
@@ -528,7 +568,10 @@ class SmoothRhythm:
     def rotations_and_additions(
         self, command: Command, closure: Closure, extent: Extent
     ) -> tuple[dict[str, Array], dict[str, Array]]:
-        """The same, and what was added of axial, shrug and protraction (rad)."""
+        """The same, and what was added of axial, shrug and protraction (rad).
+
+        `share` is how much of the offsets GH left, 1 where it did not stop them.
+        """
         theta, psi = command.theta, command.psi
         if extent == "whole":
             q_TC, q_CS = (self.whole_rotation(joint, theta, psi) for joint in ("sc", "ac"))
@@ -541,21 +584,24 @@ class SmoothRhythm:
         angles = np.radians(euler_angles_deg("yxz", q_TC))
         protraction = self.bounded("sc_protraction", angles[0], command.protraction)
         shrug = -self.bounded("sc_elevation", angles[1], -command.shrug)
-        angles[0] += protraction
-        angles[1] -= shrug
-        q_TC = euler_quaternions("yxz", np.degrees(angles))
+        offset = np.stack([protraction, -shrug, np.zeros_like(shrug)])
+        share = np.ones_like(protraction)
 
         if closure == "table":
+            q_TC = euler_quaternions("yxz", np.degrees(angles + offset))
             q_SH = self.table_rotation("gh", theta, psi)
         else:
             # q_TH = S Ry(tau), q_SH = (q_TC q_CS)^-1 q_TH
             q_TH = multiply(swing(theta, psi), turns("y", tau))
+            share = self.share_that_gh_allows(angles, offset, q_CS, q_TH)
+            q_TC = euler_quaternions("yxz", np.degrees(angles + share * offset))
             q_SH = multiply(inverses(multiply(q_TC, q_CS)), q_TH)
+            protraction, shrug = share * protraction, share * shrug
         # A turn about the humerus's own y, which the sequence has last, adds to its last angle.
         turn = np.radians(in_axial_window_deg(euler_angles_deg("xzy", q_SH)[2]))
         axial = self.bounded("gh_axial", turn, command.axial)
         q_SH = multiply(q_SH, turns("y", axial))
-        additions = {"axial": axial, "shrug": shrug, "protraction": protraction}
+        additions = {"axial": axial, "shrug": shrug, "protraction": protraction, "share": share}
         return {"sc": q_TC, "ac": q_CS, "gh": q_SH}, additions
 
     def answerable(
@@ -609,6 +655,7 @@ class SmoothRhythm:
         )
         theta_deg, psi_deg = self.answerable(elevation_deg, plane_deg, extent)
         rotations, additions = self.rotations_and_additions(command, closure, extent)
+        share = additions.pop("share")
         angles_deg: dict[str, Array] = {}
         for joint, q in rotations.items():
             angles = euler_angles_deg(JOINT_SEQUENCES[joint], q)
@@ -623,6 +670,7 @@ class SmoothRhythm:
             **{f"{name}_deg": np.degrees(added) for name, added in additions.items()},
             clamped=clamped,
             distance_deg=distance_from_measured_deg(elevation_deg, plane_deg),
+            gh_stops=share < 1.0,
             rotations=rotations,
             angles_deg=angles_deg,
         )

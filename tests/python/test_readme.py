@@ -44,7 +44,7 @@ def checkout(tmp_path: Path, program: Path, plugin_library: Path) -> Path:
 
 
 def numbers(text: str) -> list[float]:
-    return [float(number) for number in re.findall(r"-?\d+\.\d+", text)]
+    return [float(number) for number in re.findall(r"-?\d+\.\d*(?:e[-+]\d+)?", text)]
 
 
 def test_the_python_of_the_readme_raises_the_arm(checkout: Path) -> None:

@@ -344,7 +344,8 @@ ADDITIONS = [
 def test_additions_end_at_the_joints_ranges(
     database: list[Position], smooth: SmoothRhythm, name: str, coordinate: str, sign: float
 ) -> None:
-    ranges = read_joint_ranges()
+    # Of this coordinate alone: GH's ranges bound the offsets too.
+    ranges = {coordinate: read_joint_ranges()[coordinate]}
     random = np.random.default_rng(SEED)
     poses_deg = reachable_poses(random)
     added_deg = random.uniform(-150.0, 150.0, SAMPLES)
@@ -357,6 +358,33 @@ def test_additions_end_at_the_joints_ranges(
     is_free = np.abs(used_deg - sign * added_deg) < ROUNDING_DEG
     assert np.array_equal(poses.clamped, ~is_free)
     assert 0 < is_free.sum() < SAMPLES
+
+
+def test_gh_stops_offsets_where_its_range_ends(
+    database: list[Position], smooth: SmoothRhythm
+) -> None:
+    ranges = read_joint_ranges()
+    random = np.random.default_rng(SEED)
+    poses_deg = reachable_poses(random)
+    offsets = {
+        "shrug_deg": random.uniform(-15.0, 35.0, SAMPLES),
+        "protraction_deg": random.uniform(-25.0, 30.0, SAMPLES),
+    }
+    poses = SmoothRhythm(database, ranges).solve(*poses_deg, **offsets)
+    free = smooth.solve(*poses_deg, **offsets)
+    assert 0 < poses.gh_stops.sum() < SAMPLES / 2
+    outside = np.zeros(SAMPLES, dtype=bool)
+    at_an_end = np.zeros(SAMPLES, dtype=bool)
+    for coordinate in ("gh_elevation", "gh_flexion", "gh_axial"):
+        low_deg, high_deg = ranges[coordinate]
+        angles_deg, free_deg = poses.angles_deg[coordinate], free.angles_deg[coordinate]
+        assert (angles_deg > low_deg - 1e-9).all()
+        assert (angles_deg < high_deg + 1e-9).all()
+        outside |= (free_deg < low_deg) | (free_deg > high_deg)
+        near_deg = np.minimum(np.abs(angles_deg - low_deg), np.abs(angles_deg - high_deg))
+        at_an_end |= near_deg < 1e-6
+    assert (outside[poses.gh_stops]).all()
+    assert (at_an_end[poses.gh_stops]).all()
 
 
 # --- The whole range -----------------------------------------------------------------------------

@@ -216,7 +216,8 @@ def test_the_velocities_are_those_of_the_rotations(
     in_reach = (expected_poses.elevation_deg == solution.commands["elevation_deg"]) & (
         expected_poses.plane_deg == solution.commands["plane_deg"]
     )
-    counts = in_reach & ~solution.on_slope
+    # Where GH stops the offsets the program's rates take them as constant, and say so.
+    counts = in_reach & ~solution.on_slope & ~expected_poses.gh_stops
     errors = np.where(counts, np.abs(answered - expected).max(axis=0), 0.0)
     worst = int(np.argmax(errors))
     assert errors[worst] < RATE, (
