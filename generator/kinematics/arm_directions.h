@@ -60,7 +60,8 @@ template <typename T>
           sine * Sin(across)};
 }
 
-/// The same for numbers, in less time.
+/// The same for numbers, in less time. Precondition: the angles are finite and of some turns at
+/// most.
 [[nodiscard]] QuaternionOf<double> HumerusRotation(double theta_rad, double psi_rad,
                                                    double tau_rad) noexcept;
 

@@ -197,6 +197,18 @@ template <typename T>
   return ValueOf(x.value);
 }
 
+/// The leaf without its derivatives.
+[[nodiscard]] inline double LeafOf(double x) noexcept { return x; }
+[[nodiscard]] inline Pair LeafOf(Pair x) noexcept { return x; }
+template <typename L, int Order>
+[[nodiscard]] L LeafOf(const Jet<L, Order>& x) noexcept {
+  return x.part[kValue];
+}
+template <typename T>
+[[nodiscard]] auto LeafOf(const Dual<T>& x) noexcept {
+  return LeafOf(x.value);
+}
+
 /// The largest of its numbers without their derivatives.
 [[nodiscard]] inline double LargestLeaf(double x) noexcept { return x; }
 [[nodiscard]] inline double LargestLeaf(Pair x) noexcept { return x[0] < x[1] ? x[1] : x[0]; }

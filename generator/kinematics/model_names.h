@@ -60,7 +60,7 @@ inline constexpr std::string_view kRhythmName = "rhythm";
 /// What the plugin's sensor holds, all in radians.
 namespace sensor_layout {
 inline constexpr std::size_t kCommanded =
-    0;  ///< elevation, plane, axial as used, not clamped to the table
+    0;  ///< elevation, plane, axial as used: within the controls' and the rhythm's ranges
 inline constexpr std::size_t kReached =
     kCommanded + kCommandCount;  ///< the same of the simulated humerus
 inline constexpr std::size_t kTarget = kReached + kCommandCount;   ///< nine joint targets

@@ -89,8 +89,8 @@ template <std::size_t N, typename C, typename L>
 }
 
 /// Angle of the point (x, y) as std::atan2, to 4 units in the last place; a signed zero counts as
-/// plus, and the point (0, 0) has the angle 0. Not inline: a pose needs it seven times, and in a
-/// simulation its code has to come from beyond the first cache.
+/// plus, and the point (0, 0) has the angle 0; both infinite is a NaN. Not inline: a pose needs it
+/// seven times, and in a simulation its code has to come from beyond the first cache.
 [[nodiscard]] Pair Atan2(Pair y, Pair x) noexcept;
 
 }  // namespace girdle

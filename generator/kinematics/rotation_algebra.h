@@ -109,7 +109,7 @@ inline constexpr auto kShorterSine = AlternatingSeries<kShorterExpTerms>(1);
 inline constexpr auto kThird = AlternatingSeries<kExpTerms>(3);
 inline constexpr auto kShortThird = AlternatingSeries<kShortExpTerms + 1>(3);
 
-// For angles up to 90 deg (y <= 0.293) the first term left out is below 1e-17; at 120 deg 1e-10.
+// For angles up to 90 deg (y <= 0.293) the first term left out is below 1e-17; at 150 deg 1e-10.
 inline constexpr std::size_t kLogTerms = 24;
 inline constexpr auto kArcCosineOverSine = ArcCosineSeries<kLogTerms>();
 
@@ -211,14 +211,20 @@ template <typename L>
   return {exp * m, velocity(u_1), velocity(u_2)};
 }
 
-/// Returns the rotation vector of a unit quaternion whose w is positive, by a series that is exact
-/// to rounding for angles up to 90 deg.
+/// -1 where a number is negative, 1 elsewhere.
+[[nodiscard]] inline double SignOf(double x) noexcept { return x < 0 ? -1 : 1; }
+[[nodiscard]] inline Pair SignOf(Pair x) noexcept { return Pair::WhereLess(x, 0.0, -1.0, 1.0); }
+
+/// Returns the rotation vector of a unit quaternion, by a series that is exact to rounding for
+/// angles up to 90 deg.
 ///
-///     log(w, v) = 2 arccos(w)/sqrt(1 - w^2) v
+///     log(w, v) = 2 arccos(w)/sqrt(1 - w^2) v, with the sign of q chosen so that w >= 0
 template <typename T>
 [[nodiscard]] VectorOf<T> LogOf(const QuaternionOf<T>& q) noexcept {
-  const T factor = 2.0 * Polynomial(rotation_algebra_detail::kArcCosineOverSine, T(1.0) - q.w);
-  return Scaled(factor, q.vector());
+  const auto sign = SignOf(LeafOf(q.w));
+  const T factor =
+      2.0 * Polynomial(rotation_algebra_detail::kArcCosineOverSine, T(1.0) - sign * q.w);
+  return Scaled(sign * factor, q.vector());
 }
 
 /// Returns the turn by an angle about y.

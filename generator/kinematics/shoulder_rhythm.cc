@@ -74,9 +74,7 @@ Velocities<L> VelocitiesOf(const QuaternionOf<Jet<L, Order>>& q) noexcept {
   return {TwiceVector(Part(q, kByElevation) * inverse), TwiceVector(Part(q, kByPlane) * inverse)};
 }
 
-// Derivatives by (theta, psi) into those by what these depend on: theta = a t + ..., psi = b t + c
-// p
-// + ...
+// Derivatives by theta and psi into those by t and p, where dtheta = a dt and dpsi = b dt + c dp.
 template <typename L, int Order>
 Jet<L, Order> Chained(const Jet<L, Order>& x, double a, double c, double b) noexcept {
   Jet<L, Order> result(x.part[kValue]);
@@ -101,26 +99,30 @@ VectorOf<T> EulerJets(EulerSequence sequence, const QuaternionOf<T>& q_AB) noexc
                                          : EulerAngles(q.w, q.x, q.z, q.y);
 }
 
-// An angle with what is added to it of what was to be added. Where its range stops it, it stays.
+// An angle with what is added to it of what was to be added. At the end of its range it stays.
 template <int Order>
-Jet<double, Order> Added(const Jet<double, Order>& angle_rad, double used_rad,
-                         double wanted_rad) noexcept {
+Jet<double, Order> Added(const Jet<double, Order>& angle_rad, double used_rad, double wanted_rad,
+                         const CoordinateRange& range) noexcept {
+  constexpr double kRounding_rad = 1e-9;
   const Jet<double, Order> sum = angle_rad + Jet<double, Order>(used_rad);
-  return used_rad == wanted_rad || used_rad == 0 ? sum : Jet<double, Order>(sum.part[kValue]);
+  const double value_rad = sum.part[kValue];
+  const bool is_at_end = std::abs(value_rad - range.lower_rad) < kRounding_rad ||
+                         std::abs(value_rad - range.upper_rad) < kRounding_rad;
+  return used_rad != wanted_rad && is_at_end ? Jet<double, Order>(value_rad) : sum;
 }
 
 // The clavicle with its offsets: Ry(a + protraction) Rx(b - shrug) Rz(c).
 template <int Order>
 QuaternionOf<Jet<Pair, Order>> WithOffsetsOf(const QuaternionOf<Jet<Pair, Order>>& q_TC_CS,
-                                             const ArmCommand& used,
-                                             const ArmCommand& wanted) noexcept {
+                                             const ArmCommand& used, const ArmCommand& wanted,
+                                             const JointRanges& ranges) noexcept {
   if (used.shrug_rad == 0 && used.protraction_rad == 0) {
     return q_TC_CS;
   }
   using T = Jet<double, Order>;
   const VectorOf<T> angles = EulerJets(EulerSequence::kYXZ, Element(q_TC_CS, 0));
-  const T y = 0.5 * Added(angles[0], used.protraction_rad, wanted.protraction_rad);
-  const T x = 0.5 * Added(angles[1], -used.shrug_rad, -wanted.shrug_rad);
+  const T y = 0.5 * Added(angles[0], used.protraction_rad, wanted.protraction_rad, ranges[0]);
+  const T x = 0.5 * Added(angles[1], -used.shrug_rad, -wanted.shrug_rad, ranges[1]);
   const T z = 0.5 * angles[2];
   const QuaternionOf<T> q_TC = QuaternionOf<T>{Cos(y), T(0.0), Sin(y), T(0.0)} *
                                QuaternionOf<T>{Cos(x), Sin(x), T(0.0), T(0.0)} *
@@ -141,13 +143,14 @@ QuaternionOf<Jet<Pair, Order>> WithOffsetsOf(const QuaternionOf<Jet<Pair, Order>
 // GH with its axial turn.
 template <int Order>
 QuaternionOf<Jet<double, Order>> WithAxialOf(const QuaternionOf<Jet<double, Order>>& q_SH,
-                                             const ArmCommand& used,
-                                             const ArmCommand& wanted) noexcept {
+                                             const ArmCommand& used, const ArmCommand& wanted,
+                                             const JointRanges& ranges) noexcept {
   if (used.axial_rad == 0) {
     return q_SH;
   }
   const Jet<double, Order> angle_rad = EulerJets(EulerSequence::kXZY, q_SH)[2];
-  return q_SH * AboutYOf(Added(angle_rad, used.axial_rad, wanted.axial_rad) - angle_rad);
+  return q_SH * AboutYOf(Added(angle_rad, used.axial_rad, wanted.axial_rad, ranges[kGhAxialIndex]) -
+                         angle_rad);
 }
 
 }  // namespace
@@ -231,7 +234,7 @@ ShoulderRhythm::Used ShoulderRhythm::UsedFor(double elevation_rad,
   used.elevation_slope = used.elevation_rad == elevation_rad ? 1 : 0;
   double lowest_rad = domain_.first_plane_rad;
   double lowest_slope = 0;
-  if (options_.range == Range::kWhole && plane_rad < measured_.first_plane_rad) {
+  if (options_.range == Range::kWhole && !(plane_rad >= measured_.first_plane_rad)) {
     const LowestPlane lowest = LowestPlaneAt(used.elevation_rad);
     if (lowest.plane_rad < measured_.first_plane_rad) {
       lowest_rad = lowest.plane_rad;
@@ -383,7 +386,9 @@ ShoulderSolution ShoulderRhythm::Solve(const ArmCommand& command) const noexcept
   solution.clamped = !(solution.used == command);
   solution.cell = table_.CellAt(solution.used.elevation_rad, solution.used.plane_rad);
   const bool outside = !measured_.Holds(command.elevation_rad, command.plane_rad);
-  solution.distance_rad = DistanceOutside(command.elevation_rad, command.plane_rad);
+  solution.distance_rad =
+      std::max(DistanceOutside(command.elevation_rad, command.plane_rad),
+               DistanceOutside(solution.used.elevation_rad, solution.used.plane_rad));
   solution.origin = OriginOf(solution.cell, outside && options_.range == Range::kWhole);
   return solution;
 }
@@ -408,7 +413,7 @@ ShoulderRhythm::Jets<Order> ShoulderRhythm::JetsFor(const ArmCommand& command) c
   // given.
   if (options_.closure == Closure::kExact) {
     const GirdleOf<Scalar> girdle = smooth_->Girdle<Scalar>(place.elevation_rad, place.plane_rad);
-    jets.q_TC_CS = WithOffsetsOf(girdle.q_TC_CS, used, command);
+    jets.q_TC_CS = WithOffsetsOf(girdle.q_TC_CS, used, command, ranges_);
     Scalar theta(place.elevation_rad);
     Scalar psi(place.plane_rad);
     theta.part[kByElevation] = 1;
@@ -417,10 +422,10 @@ ShoulderRhythm::Jets<Order> ShoulderRhythm::JetsFor(const ArmCommand& command) c
                 HumerusRotation(theta, psi, girdle.turn_rad);
   } else {
     const JointsOf<Scalar> joints = smooth_->Joints<Scalar>(place.elevation_rad, place.plane_rad);
-    jets.q_TC_CS = WithOffsetsOf(joints.q_TC_CS, used, command);
+    jets.q_TC_CS = WithOffsetsOf(joints.q_TC_CS, used, command, ranges_);
     jets.q_SH = joints.q_SH;
   }
-  jets.q_SH = WithAxialOf(jets.q_SH, used, command);
+  jets.q_SH = WithAxialOf(jets.q_SH, used, command, ranges_);
   if (place.elevation_slope != 1 || place.plane_slope != 1) {
     const auto chain = [&place](auto& q) {
       for (auto* component : {&q.w, &q.x, &q.y, &q.z}) {

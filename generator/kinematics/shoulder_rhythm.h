@@ -96,8 +96,8 @@ struct ShoulderSolution {
   Origin origin;
   /// The table's cell that holds the command used, or the nearest to it.
   RhythmCell cell;
-  /// Angle between the direction commanded and the nearest direction of the table's domain [rad]; 0
-  /// inside.
+  /// Angle between the direction commanded, or the one used if that is farther, and the nearest
+  /// direction of the table's domain [rad]; 0 inside.
   double distance_rad;
 };
 

@@ -19,12 +19,11 @@
 /// Outside the table: a rule fitted to what was measured in vivo above 120 deg of elevation and
 /// outside planes 0 to 90 (Henninger, Bourne, Matsuki, Sahara and others, as collected by Moissenet
 /// et al., J Biomech 2025, doi 10.1016/j.jbiomech.2025.112642). It is a model, not a measurement;
-/// its error against those sets is 3 to 4 deg. It has a continuous first derivative, and one value
+/// it misses those sets by 1 to 4 deg rms. It has a continuous first derivative, and one value
 /// at elevations 0 and 180, where the plane has no meaning.
 #pragma once
 
 #include <cstddef>
-#include <vector>
 
 #include "kinematics/rhythm_table.h"
 #include "kinematics/rotation_algebra.h"

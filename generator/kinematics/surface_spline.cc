@@ -3,7 +3,6 @@
 
 #include "kinematics/surface_spline.h"
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>

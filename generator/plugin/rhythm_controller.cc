@@ -143,7 +143,7 @@ RhythmController::RhythmController(const mjModel& model, int instance, const Rhy
         ", which has no rates. Remove them, or use the interpolation smooth");
   }
   rhythm_ = ConfiguredRhythm(config, RangesOf(model));
-  solved_ = {solved_command_, AnglesFromPose(rhythm_->SolvePose(solved_command_, &solved_.used))};
+  solved_.target_rad = AnglesFromPose(rhythm_->SolvePose(solved_command_, &solved_.used));
 }
 
 void RhythmController::AddCommand(const mjModel& model, int actuator, std::size_t role) {
@@ -248,10 +248,9 @@ JointAngles RhythmController::TargetRates(const mjModel& model, const mjData& da
       rates[k] = angles->by_elevation[k] * elevation_rate + angles->by_plane[k] * plane_rate;
     }
   }
+  // At the end of its range the humerus does not turn further.
   if (aim.used.axial_rad == command.axial_rad) {
     rates[kGhAxialIndex] += axial_rate;
-  } else {
-    rates[kGhAxialIndex] = 0;  // the humerus is at the end of its range
   }
   return rates;
 }

@@ -56,12 +56,12 @@ std::array<Motion, kJointCount> OneSided(const std::function<BoneRotations(doubl
 }
 
 // The jump of each joint at a place, crossing it along a direction.
-std::array<JumpSummary, kJointCount> JumpsAt(const ShoulderRhythm& rhythm, Direction direction,
+std::array<JumpSummary, kJointCount> JumpsAt(const PoseFunction& pose, Direction direction,
                                              double elevation_rad, double plane_rad) {
   const auto at = [&](double step_rad) {
     const bool is_elevation = direction == Direction::kElevation;
-    return JointsOf(rhythm.SolvePose({elevation_rad + (is_elevation ? step_rad : 0),
-                                      plane_rad + (is_elevation ? 0 : step_rad)}));
+    return JointsOf(pose({elevation_rad + (is_elevation ? step_rad : 0),
+                          plane_rad + (is_elevation ? 0 : step_rad)}));
   };
   const auto before = OneSided(at, -kDifference_rad);
   const auto after = OneSided(at, kDifference_rad);
@@ -117,7 +117,7 @@ class Largest {
 // Adds the jumps over lines of constant elevation or plane, along the whole of each.
 class JumpMeter {
  public:
-  explicit JumpMeter(const ShoulderRhythm& rhythm) : rhythm_(rhythm) {}
+  explicit JumpMeter(const PoseFunction& pose) : pose_(pose) {}
 
   void Cross(Direction direction, const std::vector<double>& lines,
              const std::vector<double>& along) {
@@ -125,7 +125,7 @@ class JumpMeter {
       for (const double place : along) {
         const double elevation_rad = direction == Direction::kElevation ? line : place;
         const double plane_rad = direction == Direction::kElevation ? place : line;
-        const auto jumps = JumpsAt(rhythm_, direction, elevation_rad, plane_rad);
+        const auto jumps = JumpsAt(pose_, direction, elevation_rad, plane_rad);
         for (std::size_t joint = 0; joint < kJointCount; ++joint) {
           joints_[joint].first = std::max(joints_[joint].first, jumps[joint].first);
           joints_[joint].second = std::max(joints_[joint].second, jumps[joint].second);
@@ -141,21 +141,20 @@ class JumpMeter {
   [[nodiscard]] const Largest& second() const { return second_; }
 
  private:
-  const ShoulderRhythm& rhythm_;
+  const PoseFunction& pose_;
   std::array<JumpSummary, kJointCount> joints_{};
   Largest first_;
   Largest second_;
 };
 
 // Within the table, half a degree from its borders: differences need room.
-JumpMeter InsideJumps(const ShoulderRhythm& rhythm, Direction direction) {
+JumpMeter InsideJumps(const RhythmTable& table, const PoseFunction& pose, Direction direction) {
   constexpr double kRoom_rad = 0.5 * kRadiansPerDegree;
-  const RhythmTable& table = rhythm.table();
   const auto& lines =
       direction == Direction::kElevation ? table.elevations_rad() : table.planes_rad();
   const auto& along =
       direction == Direction::kElevation ? table.planes_rad() : table.elevations_rad();
-  JumpMeter meter(rhythm);
+  JumpMeter meter(pose);
   meter.Cross(direction, InnerOf(lines),
               EvenSteps(along.front() + kRoom_rad, along.back() - kRoom_rad));
   return meter;
@@ -163,8 +162,9 @@ JumpMeter InsideJumps(const ShoulderRhythm& rhythm, Direction direction) {
 
 class Checker {
  public:
-  Checker(const ShoulderRhythm& rhythm, const JointRanges& ranges)
+  Checker(const ShoulderRhythm& rhythm, const JointRanges& ranges, const PoseFunction& pose)
       : rhythm_(rhythm),
+        pose_(pose),
         ranges_(ranges),
         is_whole_(rhythm.options().range == Range::kWhole),
         elevations_(
@@ -188,7 +188,7 @@ class Checker {
     constexpr double kFirst = 1e-9;
     constexpr double kSecond = 1e-7;
     for (const Direction direction : {Direction::kElevation, Direction::kPlane}) {
-      const JumpMeter meter = InsideJumps(rhythm_, direction);
+      const JumpMeter meter = InsideJumps(rhythm_.table(), pose_, direction);
       const std::string lines =
           "over " + std::string(kDirectionNames[static_cast<std::size_t>(direction)]) + " knots";
       checks_.push_back(meter.first().Check("jump of velocity " + lines, kFirst, "deg/deg"));
@@ -205,15 +205,19 @@ class Checker {
     const RhythmTable& table = rhythm_.table();
     const double top_rad = table.elevations_rad().back();
     const double half_rad = (kPi - top_rad) / 2;
-    JumpMeter over_elevations(rhythm_);
-    over_elevations.Cross(
-        Direction::kElevation,
-        {table.elevations_rad().front(), top_rad, top_rad + half_rad / 2, top_rad + half_rad},
-        EvenSteps(LowestPlaneAt(top_rad).plane_rad + kRoom_rad,
-                  rhythm_.domain().last_plane_rad - kRoom_rad));
+    JumpMeter over_elevations(pose_);
+    // At 90 the humerus's turn changes its form beside the table.
+    for (const double line_rad : {table.elevations_rad().front(), kPi / 2, top_rad,
+                                  top_rad + half_rad / 2, top_rad + half_rad}) {
+      if (line_rad > kRoom_rad && line_rad < kPi - kRoom_rad) {
+        over_elevations.Cross(Direction::kElevation, {line_rad},
+                              EvenSteps(LowestPlaneAt(line_rad + kRoom_rad).plane_rad + kRoom_rad,
+                                        rhythm_.domain().last_plane_rad - kRoom_rad));
+      }
+    }
     checks_.push_back(over_elevations.first().Check(
         "jump of velocity where the table ends, over elevations", kFirst, "deg/deg"));
-    JumpMeter over_planes(rhythm_);
+    JumpMeter over_planes(pose_);
     over_planes.Cross(Direction::kPlane, {table.planes_rad().front(), table.planes_rad().back()},
                       EvenSteps(kRoom_rad, kPi - kRoom_rad));
     checks_.push_back(over_planes.first().Check(
@@ -225,11 +229,11 @@ class Checker {
     constexpr double kSame_deg = 1e-9;
     Largest hanging;
     Largest upright;
-    const BoneRotations hanging_bones = BonesOf(rhythm_.SolvePose({0, 0}));
-    const BoneRotations upright_bones = BonesOf(rhythm_.SolvePose({kPi, 0}));
+    const BoneRotations hanging_bones = BonesOf(pose_({0, 0}));
+    const BoneRotations upright_bones = BonesOf(pose_({kPi, 0}));
     for (const double plane_rad : planes_) {
-      const BoneRotations low = BonesOf(rhythm_.SolvePose({0, plane_rad}));
-      const BoneRotations high = BonesOf(rhythm_.SolvePose({kPi, plane_rad}));
+      const BoneRotations low = BonesOf(pose_({0, plane_rad}));
+      const BoneRotations high = BonesOf(pose_({kPi, plane_rad}));
       for (std::size_t bone = 0; bone < kJointCount; ++bone) {
         hanging.Add(DegreesFromRadians(AngleBetween(low[bone], hanging_bones[bone])), 0, plane_rad);
       }
@@ -246,9 +250,8 @@ class Checker {
   void AddGrid() {
     for (const double elevation_rad : elevations_) {
       for (const double plane_rad : planes_) {
-        const ShoulderSolution solution = rhythm_.Solve({elevation_rad, plane_rad});
-        if (!solution.clamped) {
-          AddPose(solution);
+        if (!rhythm_.Solve({elevation_rad, plane_rad}).clamped) {
+          AddPose(elevation_rad, plane_rad);
         }
       }
     }
@@ -273,10 +276,9 @@ class Checker {
     checks_.push_back(outside_.Check("joint out of its range", kOutside_deg, "deg"));
   }
 
-  void AddPose(const ShoulderSolution& solution) {
-    const double elevation_rad = solution.used.elevation_rad;
-    const double plane_rad = solution.used.plane_rad;
-    const ArmAngles reached = ArmAnglesFromRotation(solution.pose.q_TH());
+  void AddPose(double elevation_rad, double plane_rad) {
+    const ShoulderPose pose = pose_({elevation_rad, plane_rad});
+    const ArmAngles reached = ArmAnglesFromRotation(pose.q_TH());
     elevation_error_.Add(DegreesFromRadians(std::abs(reached.elevation_rad - elevation_rad)),
                          elevation_rad, plane_rad);
     // Nearer to the ends than this the plane has no meaning.
@@ -285,7 +287,7 @@ class Checker {
           DegreesFromRadians(std::abs(std::remainder(reached.plane_rad - plane_rad, 2 * kPi))),
           elevation_rad, plane_rad);
     }
-    const JointAngles angles_rad = AnglesFromPose(solution.pose);
+    const JointAngles angles_rad = AnglesFromPose(pose);
     for (std::size_t k = 0; k < kCoordinateCount; ++k) {
       outside_.Add(DegreesFromRadians(std::max({ranges_[k].lower_rad - angles_rad[k],
                                                 angles_rad[k] - ranges_[k].upper_rad, 0.0})),
@@ -302,10 +304,10 @@ class Checker {
     const double up = elevation_rad + kGrid_rad / 2 < domain.highest_elevation_rad ? 1 : -1;
     const double across = plane_rad + kGrid_rad / 2 < domain.last_plane_rad ? 1 : -1;
     const auto along_elevation = [&](double step_rad) {
-      return BonesOf(rhythm_.SolvePose({elevation_rad + step_rad, plane_rad}));
+      return BonesOf(pose_({elevation_rad + step_rad, plane_rad}));
     };
     const auto along_plane = [&](double step_rad) {
-      return BonesOf(rhythm_.SolvePose({elevation_rad, plane_rad + step_rad}));
+      return BonesOf(pose_({elevation_rad, plane_rad + step_rad}));
     };
     constexpr double kLow_rad = 15 * kRadiansPerDegree;
     for (const Motion& bone : OneSided(along_elevation, up * kDifference_rad)) {
@@ -318,6 +320,7 @@ class Checker {
   }
 
   const ShoulderRhythm& rhythm_;
+  const PoseFunction& pose_;
   const JointRanges& ranges_;
   bool is_whole_;
   std::vector<double> elevations_;
@@ -338,15 +341,22 @@ std::vector<InterpolationJumps> MeasureJumps(const RhythmTable& table) {
   for (const Interpolation interpolation :
        {Interpolation::kSlerp, Interpolation::kSquad, Interpolation::kSmooth}) {
     const ShoulderRhythm rhythm(table, {interpolation, Closure::kTable, {}});
+    const PoseFunction pose = [&](const ArmCommand& command) { return rhythm.SolvePose(command); };
     for (const Direction direction : {Direction::kElevation, Direction::kPlane}) {
-      all.push_back({interpolation, direction, InsideJumps(rhythm, direction).joints()});
+      all.push_back({interpolation, direction, InsideJumps(table, pose, direction).joints()});
     }
   }
   return all;
 }
 
 std::vector<RhythmCheck> MeasureChecks(const ShoulderRhythm& rhythm, const JointRanges& ranges) {
-  return Checker(rhythm, ranges).Run();
+  return MeasureChecks(rhythm, ranges,
+                       [&](const ArmCommand& command) { return rhythm.SolvePose(command); });
+}
+
+std::vector<RhythmCheck> MeasureChecks(const ShoulderRhythm& rhythm, const JointRanges& ranges,
+                                       const PoseFunction& pose) {
+  return Checker(rhythm, ranges, pose).Run();
 }
 
 }  // namespace girdle

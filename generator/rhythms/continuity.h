@@ -7,8 +7,9 @@
 #pragma once
 
 #include <array>
-#include <optional>
+#include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "kinematics/shoulder_rhythm.h"
@@ -44,6 +45,9 @@ struct RhythmCheck {
   [[nodiscard]] bool passed() const noexcept { return value < limit; }
 };
 
+/// The pose for a command.
+using PoseFunction = std::function<ShoulderPose(const ArmCommand& command)>;
+
 /// Returns the jumps of slerp, squad and smooth in both directions, each with closure table on the
 /// same table. Throws std::invalid_argument if the table is too small for one of them.
 [[nodiscard]] std::vector<InterpolationJumps> MeasureJumps(const RhythmTable& table);
@@ -54,5 +58,9 @@ struct RhythmCheck {
 /// commanded minus reached; always, how far joints are out of `ranges`.
 [[nodiscard]] std::vector<RhythmCheck> MeasureChecks(const ShoulderRhythm& rhythm,
                                                      const JointRanges& ranges);
+/// The same of poses that come from elsewhere: what a rhythm like this one has to keep.
+[[nodiscard]] std::vector<RhythmCheck> MeasureChecks(const ShoulderRhythm& rhythm,
+                                                     const JointRanges& ranges,
+                                                     const PoseFunction& pose);
 
 }  // namespace girdle

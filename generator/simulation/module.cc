@@ -7,7 +7,6 @@
 #include <cmath>
 #include <fstream>
 #include <stdexcept>
-#include <utility>
 
 #include "simulation/engine.h"
 #include "simulation/motion.h"

@@ -27,7 +27,7 @@ inline constexpr std::array<std::string_view, 2> kBuiltInTableNames = {"measured
 
 /// The table that an interpolation uses unless told otherwise. Smooth: the de-stepped one, because
 /// a curve with continuous second derivatives through the measured rows swings where people dropped
-/// out, 10 to 40 times more than the shoulder does, and no row of the other moves by more than 0.7
+/// out, and no row of the other moves by more than 0.7
 /// deg, a third of what the measured tables disagree by among themselves. Squad and slerp: the
 /// measured one, which is what was published.
 [[nodiscard]] BuiltInTable DefaultTable(Interpolation interpolation) noexcept;

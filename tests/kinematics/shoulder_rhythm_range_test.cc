@@ -596,6 +596,32 @@ INSTANTIATE_TEST_SUITE_P(
                     BoundedCoordinate{kGhAxialIndex, &ArmCommand::axial_rad, 1}),
     [](const auto& tested) { return std::string(kCoordinateNames.at(tested.param.k)); });
 
+// A NaN is no way around what an arm can reach.
+TEST(ShoulderRhythm, TakesANanForTheLowestPlaneThatAnArmReaches) {
+  for (const double elevation_deg : {30.0, 70.0, 90.0, 170.0}) {
+    ArmCommand command = Command_deg(elevation_deg, 0);
+    command.plane_rad = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(Bounded().Solve(command).used.plane_rad,
+              LowestPlaneAt(command.elevation_rad).plane_rad);
+  }
+}
+
+// GH that is outside its range already is not pushed further by offsets.
+TEST(ShoulderRhythm, OffsetsDoNotTakeGhFartherOutOfItsRange) {
+  const ArmCommand plain = Command_deg(60, 40);
+  const double own_rad = AnglesFromPose(Whole().SolvePose(plain)).at(6);
+  JointRanges ranges = ShoulderRhythm::Unbounded();
+  ranges.at(6) = {own_rad + 0.1, own_rad + 0.5};
+  const ShoulderRhythm rhythm(TableOf(MeasuredRows()), {}, ranges);
+  for (const double shrug_deg : {-10.0, 10.0}) {
+    ArmCommand command = plain;
+    command.shrug_rad = RadiansFromDegrees(shrug_deg);
+    const double free_rad = AnglesFromPose(Whole().SolvePose(command)).at(6);
+    const double bounded_rad = AnglesFromPose(rhythm.SolvePose(command)).at(6);
+    EXPECT_NEAR(bounded_rad, std::max(free_rad, own_rad), 1e-9) << shrug_deg;
+  }
+}
+
 // GH makes up for the girdle, so that its ranges bound the offsets too; the arm stays where it was
 // told to be.
 TEST(ShoulderRhythm, OffsetsTakeNoJointOutOfItsRange) {

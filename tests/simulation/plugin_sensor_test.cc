@@ -82,6 +82,20 @@ TEST_F(SensorTest, ShowsAChangeOfTheControlsAlone) {
 }
 
 // Distance is that of the control itself, and may change while the pose does not.
+// Also at the controls that a model begins with.
+TEST_F(SensorTest, ShowsTheSameAfterOtherCommandsAsBefore) {
+  const ModelPointer model = LoadedModel(ShoulderXml({}, kAsPublished));
+  const DataPointer data = MakeData(*model);
+  const auto sensed = [&](double elevation_rad) {
+    data->ctrl[0] = elevation_rad;
+    mj_forward(model.get(), data.get());
+    return std::vector<double>(data->sensordata, data->sensordata + model->nsensordata);
+  };
+  const std::vector<double> first = sensed(0);
+  static_cast<void>(sensed(1));
+  EXPECT_EQ(sensed(0), first);
+}
+
 TEST_F(SensorTest, ShowsAChangeOfTheDistanceAlone) {
   SetCommand({RadiansFromDegrees(90), RadiansFromDegrees(-40)});
   mj_forward(model_.get(), data_.get());
