@@ -9,7 +9,6 @@
 #include <condition_variable>
 #include <exception>
 #include <limits>
-#include <map>
 #include <mutex>
 #include <system_error>
 #include <thread>
@@ -192,8 +191,7 @@ struct Portion {
   std::exception_ptr error;
 };
 
-// Workers that each take a block of rows and answer it. What is answered before its turn is left to
-// whoever is writing, so that nobody waits for another's block.
+// Workers that each take a block of rows, answer it, and write when all before it is written.
 class RowWorkers {
  public:
   RowWorkers(CsvReader& csv, const RowColumns& columns, const ShoulderRhythm& rhythm,
@@ -236,7 +234,7 @@ class RowWorkers {
       if (!portion.error) {
         Answer(portion, rows);
       }
-      Hand(portion);
+      Write(portion);
     }
   }
 
@@ -273,55 +271,30 @@ class RowWorkers {
     }
   }
 
-  // Leaves an answer to be written in its turn, and writes what has its turn unless somebody does.
-  // `portion` comes back with the room of one that is written.
-  void Hand(Portion& portion) {
+  // Writes the answer when it is its turn. After an error nothing is written any more.
+  void Write(const Portion& portion) {
     std::unique_lock writing(writing_);
-    // A few may wait at most, or a slow one would let the others fill the memory.
-    written_.wait(writing, [&] { return portion.turn < turns_written_ + kMostWaiting || error_; });
-    waiting_.emplace(portion.turn, std::move(portion));
-    portion = {};
-    if (is_writing_) {
-      return;
-    }
-    is_writing_ = true;
-    while (!error_ && !waiting_.empty() && waiting_.begin()->first == turns_written_) {
-      Portion next = std::move(waiting_.extract(waiting_.begin()).mapped());
-      writing.unlock();
-      std::exception_ptr error = Written(next);
-      writing.lock();
-      if (error) {
-        error_ = error;
-        is_stopped_ = true;
-      } else {
+    written_.wait(writing, [&] { return turns_written_ == portion.turn || error_; });
+    if (!error_) {
+      try {
+        if (portion.error) {
+          std::rethrow_exception(portion.error);
+        }
+        out_.Write(unwritten_header_);
+        unwritten_header_.clear();
+        out_.Write(portion.answer);
+        bytes_done_ += portion.rows.text.size();
+        if (bytes_ > 0) {
+          progress_(std::min(1.0, static_cast<double>(bytes_done_) / static_cast<double>(bytes_)));
+        }
         ++turns_written_;
+      } catch (...) {
+        error_ = std::current_exception();
+        is_stopped_ = true;
       }
-      written_.notify_all();
-      portion = std::move(next);
     }
-    is_writing_ = false;
+    written_.notify_all();
   }
-
-  // Writes an answer; returns the error in its place or of writing it. One thread at a time.
-  [[nodiscard]] std::exception_ptr Written(const Portion& portion) noexcept {
-    if (portion.error) {
-      return portion.error;
-    }
-    try {
-      out_.Write(unwritten_header_);
-      unwritten_header_.clear();
-      out_.Write(portion.answer);
-      bytes_done_ += portion.rows.text.size();
-      if (bytes_ > 0) {
-        progress_(std::min(1.0, static_cast<double>(bytes_done_) / static_cast<double>(bytes_)));
-      }
-      return nullptr;
-    } catch (...) {
-      return std::current_exception();
-    }
-  }
-
-  static constexpr std::size_t kMostWaiting = 8;
 
   const RowColumns& columns_;
   const ShoulderRhythm& rhythm_;
@@ -338,8 +311,6 @@ class RowWorkers {
   std::uintmax_t bytes_;
   std::uintmax_t bytes_done_ = 0;
   std::string unwritten_header_;  // empty when it is written, which is with the first rows
-  std::map<std::size_t, Portion> waiting_;  // answered before their turn
-  bool is_writing_ = false;
   std::size_t turns_written_ = 0;
   std::exception_ptr error_;  // the first in the order of the rows
   // As error_ says, for those who do not lock writing_: it is locked while a block is written.
