@@ -14,6 +14,7 @@
 #include "commands/output_file.h"
 #include "commands/rhythm_arguments.h"
 #include "commands/simulation_module.h"
+#include "commands/word_argument.h"
 #include "mjcf/scene.h"
 #include "mjcf/shoulder_model.h"
 #include "tables/built_in.h"
@@ -22,11 +23,12 @@
 namespace girdle {
 namespace {
 
-constexpr const char* kModelFile = "shoulder_right.xml";
-constexpr const char* kSceneFile = "scene.xml";
-
 struct GenerateArguments {
   RhythmArguments rhythm;
+  std::string side;
+  std::string assembly;
+  std::string lead;
+  std::string actuation;
   std::string out;
   bool offsets = false;
   bool rates = false;
@@ -34,32 +36,68 @@ struct GenerateArguments {
   bool json = false;
 };
 
-std::string ModelXml(const GenerateArguments& arguments) {
+ShoulderModelOptions ModelOptions(const GenerateArguments& arguments) {
+  ShoulderModelOptions options;
+  ChooseWord("--side", arguments.side, kSidesNames, options.sides);
+  ChooseWord("--assembly", arguments.assembly, kAssemblyNames, options.assembly);
+  ChooseWord("--lead", arguments.lead, kLeadNames, options.lead);
+  ChooseWord("--actuation", arguments.actuation, kActuationNames, options.actuation);
+  if (!arguments.lead.empty() && options.assembly != Assembly::kLoop) {
+    throw InputError("--lead " + arguments.lead +
+                     ": in a tree the scapula hangs from the clavicle. Add --assembly loop");
+  }
+  for (const auto& [option, given] :
+       {std::pair("--offsets", arguments.offsets), std::pair("--rates", arguments.rates)}) {
+    if (given && options.actuation == Actuation::kPosition) {
+      throw InputError(std::string(option) +
+                       ": position servos are given joint angles and have no such command. Leave "
+                       "it away, or choose --actuation plugin");
+    }
+  }
   if (arguments.rates) {
     ExpectRates(arguments.rhythm);
+    if (options.assembly == Assembly::kLoop) {
+      throw InputError(
+          "--rates: not known for the assembly loop. Leave it away, or choose --assembly tree");
+    }
   }
+  options.table = ChosenBuiltInTable(arguments.rhythm);
+  options.has_offsets = arguments.offsets;
+  options.has_rates = arguments.rates;
+  return options;
+}
+
+std::string ModelXml(const GenerateArguments& arguments, const ShoulderModelOptions& options) {
   const ShoulderRhythm rhythm = ChosenRhythm(arguments.rhythm);
-  const std::optional<BuiltInTable> table = ChosenBuiltInTable(arguments.rhythm);
   try {
-    return ShoulderModelXml(
-        BuiltInAnatomy(), rhythm,
-        {.table = table, .has_offsets = arguments.offsets, .has_rates = arguments.rates});
+    return ShoulderModelXml(BuiltInAnatomy(), rhythm, options);
   } catch (const std::invalid_argument& error) {
-    throw InputError((table ? "" : arguments.rhythm.table + ": ") + error.what());
+    throw InputError((options.table ? "" : arguments.rhythm.table + ": ") + error.what());
   }
 }
 
+// Names of model and scene: variants of one family have a place beside each other in a folder.
+std::pair<std::string, std::string> FileNames(const ShoulderModelOptions& options) {
+  const std::string side(kSidesNames[static_cast<std::size_t>(options.sides)]);
+  const std::string servos = options.actuation == Actuation::kPosition ? "_position" : "";
+  return {"shoulder_" + side + servos + ".xml",
+          "scene" + (options.sides == Sides::kRight ? "" : "_" + side) + servos + ".xml"};
+}
+
 void Generate(const GenerateArguments& arguments) {
+  const ShoulderModelOptions options = ModelOptions(arguments);
+  const auto [model_file, scene_file] = FileNames(options);
   const std::vector<std::pair<std::string, std::string>> files = {
-      {kSceneFile, SceneXml(kModelFile)}, {kModelFile, ModelXml(arguments)}};
+      {scene_file, SceneXml(model_file, options.sides)},
+      {model_file, ModelXml(arguments, options)}};
   // What MuJoCo does not accept is not a model and is not written.
   const std::string checked =
       HasSimulation() ? LoadSimulation().check_model(files, ChosenPlugin(arguments.plugin))
                       : "not loaded: this program was built without MuJoCo";
   const std::filesystem::path folder(arguments.out);
   WriteFiles(folder, files);
-  const std::string model = (folder / kModelFile).string();
-  const std::string scene = (folder / kSceneFile).string();
+  const std::string model = (folder / model_file).string();
+  const std::string scene = (folder / scene_file).string();
   if (arguments.json) {
     nlohmann::ordered_json json;
     json["model"] = model;
@@ -75,10 +113,23 @@ void Generate(const GenerateArguments& arguments) {
 
 void AddGenerateCommand(CLI::App& program) {
   auto arguments = std::make_shared<GenerateArguments>();
-  CLI::App* verb = program.add_subcommand("generate", "The right shoulder as a MuJoCo model");
+  CLI::App* verb = program.add_subcommand("generate", "A shoulder, or two, as a MuJoCo model");
   verb->add_option("--out", arguments->out, "Folder for the model and its scene")
       ->type_name("DIR")
       ->required();
+  verb->add_option("--side", arguments->side, "right (default), left or both")->type_name("WORD");
+  verb->add_option("--assembly", arguments->assembly,
+                   "tree (default: the scapula hangs from the clavicle) or loop (both hang from "
+                   "the thorax, and a constraint closes the AC joint)")
+      ->type_name("WORD");
+  verb->add_option("--lead", arguments->lead,
+                   "Of a loop: clavicle (default: its angles are driven and the scapula's place "
+                   "follows) or scapula (its place is driven and the clavicle follows)")
+      ->type_name("WORD");
+  verb->add_option("--actuation", arguments->actuation,
+                   "plugin (default: commands of elevation, plane and axial turn) or position (a "
+                   "native position servo a coordinate, for where no plugin runs)")
+      ->type_name("WORD");
   AddRhythmArguments(*verb, arguments->rhythm);
   verb->add_flag("--offsets", arguments->offsets,
                  "With commands for shrug and protraction on top of the rhythm");
@@ -87,7 +138,9 @@ void AddGenerateCommand(CLI::App& program) {
                  "feeds forward so that the joints lag less");
   AddPluginArgument(*verb, arguments->plugin);
   verb->add_flag("--json", arguments->json, "Say what was written as JSON");
-  verb->footer("Example:\n  girdle generate --out my_model");
+  verb->footer(
+      "Examples:\n  girdle generate --out my_model\n  girdle generate --side both --assembly loop "
+      "--out my_model");
   verb->callback([arguments] { Generate(*arguments); });
 }
 

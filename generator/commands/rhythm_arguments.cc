@@ -5,39 +5,12 @@
 
 #include <stdexcept>
 
+#include "commands/word_argument.h"
 #include "tables/input_error.h"
 #include "tables/number_text.h"
 #include "tables/rhythm_table_csv.h"
 
 namespace girdle {
-namespace {
-
-template <std::size_t N>
-[[noreturn]] void FailUnknownWord(const std::string& option, const std::string& word,
-                                  const std::array<std::string_view, N>& known) {
-  std::string choices;
-  for (const std::string_view name : known) {
-    choices += (choices.empty() ? "" : ", ") + std::string(name);
-  }
-  throw InputError(option + " " + word + ": not known. Choose one of: " + choices);
-}
-
-// Sets `chosen` to the value of a word, if one is given.
-template <typename Chosen, typename FromName, std::size_t N>
-void Choose(const std::string& option, const std::string& word, const FromName& from_name,
-            const std::array<std::string_view, N>& known, Chosen& chosen) {
-  if (word.empty()) {
-    return;
-  }
-  const auto value = from_name(word);
-  if (!value) {
-    FailUnknownWord(option, word, known);
-  }
-  chosen = *value;
-}
-
-}  // namespace
-
 void AddRhythmArguments(CLI::App& verb, RhythmArguments& arguments) {
   verb.add_option("--table", arguments.table,
                   "Table: measured (Ludewig et al. 2009), destepped (the same without the steps "
@@ -57,10 +30,12 @@ void AddRhythmArguments(CLI::App& verb, RhythmArguments& arguments) {
 
 RhythmOptions ChosenOptions(const RhythmArguments& arguments) {
   RhythmOptions options;
-  Choose("--interpolation", arguments.interpolation, InterpolationFromName, kInterpolationNames,
-         options.interpolation);
-  Choose("--closure", arguments.closure, ClosureFromName, kClosureNames, options.closure);
-  Choose("--range", arguments.range, RangeFromName, kRangeNames, options.range);
+  ChooseWord("--interpolation", arguments.interpolation, kInterpolationNames,
+             options.interpolation);
+  ChooseWord("--closure", arguments.closure, kClosureNames, options.closure);
+  if (!arguments.range.empty()) {
+    ChooseWord("--range", arguments.range, kRangeNames, options.range.emplace());
+  }
   return options;
 }
 

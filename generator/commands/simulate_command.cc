@@ -15,6 +15,7 @@
 #include "commands/progress.h"
 #include "commands/rhythm_arguments.h"
 #include "commands/simulation_module.h"
+#include "commands/word_argument.h"
 #include "simulation/motion.h"
 #include "tables/input_error.h"
 #include "tables/number_text.h"
@@ -32,6 +33,8 @@ struct SimulateArguments {
   std::optional<std::string> seconds;
   std::optional<std::string> motion;
   std::string trace;
+  std::string controls;
+  std::string side;
   RhythmArguments rhythm;
   bool json = false;
 };
@@ -54,6 +57,9 @@ MotionRequest Requested(const SimulateArguments& arguments) {
         "which motion? Give either --raise FROM:TO, such as --raise 0:150, or --motion FILE");
   }
   MotionRequest request;
+  if (!arguments.side.empty()) {
+    ChooseWord("--side", arguments.side, kSideNames, request.side.emplace());
+  }
   if (arguments.motion) {
     if (arguments.plane || arguments.seconds) {
       throw InputError(
@@ -85,32 +91,47 @@ void Simulate(const SimulateArguments& arguments) {
   if (arguments.json && arguments.trace == "-") {
     throw InputError("--json and --trace - both want standard output. Write the trace to a file");
   }
+  if (arguments.controls == "-" && (arguments.json || arguments.trace == "-")) {
+    throw InputError("--controls - wants standard output alone. Write one of them to a file");
+  }
   const SimulationModule& simulation = LoadSimulation();
   std::optional<OutputFile> trace;
   if (!arguments.trace.empty()) {
     trace.emplace(arguments.trace);
   }
-  TerminalProgress progress("simulating", arguments.trace != "-");
+  std::optional<OutputFile> controls;
+  if (!arguments.controls.empty()) {
+    controls.emplace(arguments.controls);
+  }
+  const auto into = [](std::optional<OutputFile>& file) {
+    return [&file](std::string_view text) {
+      if (file) {
+        file->Write(text);
+      }
+    };
+  };
+  const bool prints_table = arguments.trace == "-" || arguments.controls == "-";
+  TerminalProgress progress("simulating", !prints_table);
   const SimulationSummary summary = simulation.simulate(
       arguments.model, ChosenPlugin(arguments.plugin), request, OverrideFrom(arguments.rhythm),
-      [&trace](std::string_view text) {
-        if (trace) {
-          trace->Write(text);
-        }
-      },
-      std::ref(progress));
+      into(trace), into(controls), std::ref(progress));
   progress.Clear();
   if (trace) {
     trace->Commit();
   }
-  if (arguments.trace == "-") {
-    return;  // the trace is the output
+  if (controls) {
+    controls->Commit();
+  }
+  if (prints_table) {
+    return;  // the table is the output
   }
   if (arguments.json) {
     nlohmann::ordered_json json;
     json["model"] = arguments.model;
     json["trace"] = arguments.trace.empty() ? nlohmann::ordered_json(nullptr)
                                             : nlohmann::ordered_json(arguments.trace);
+    json["controls"] = arguments.controls.empty() ? nlohmann::ordered_json(nullptr)
+                                                  : nlohmann::ordered_json(arguments.controls);
     json["rows"] = summary.rows;
     json["duration_s"] = summary.duration_s;
     json["clamped_rows"] = summary.clamped_rows;
@@ -134,7 +155,8 @@ void Simulate(const SimulateArguments& arguments) {
              ? "up to " + RoundedText(summary.worst_distance_deg, kDecimals) +
                    " deg from measured positions: modelled, not measured\n"
              : "") +
-        (trace ? "trace  " + arguments.trace + "\n" : ""));
+        (trace ? "trace  " + arguments.trace + "\n" : "") +
+        (controls ? "controls  " + arguments.controls + "\n" : ""));
 }
 
 }  // namespace
@@ -156,6 +178,13 @@ void AddSimulateCommand(CLI::App& program) {
       ->type_name("FILE");
   verb->add_option("--trace", arguments->trace, "CSV to write; - for standard output")
       ->type_name("FILE");
+  verb->add_option("--controls", arguments->controls,
+                   "CSV to write: what position servos are to be given at every step, for the same "
+                   "model made with --actuation position; - for standard output")
+      ->type_name("FILE");
+  verb->add_option("--side", arguments->side,
+                   "Which shoulder the trace is of (default: the model's, or the right of both)")
+      ->type_name("right|left");
   AddRhythmArguments(*verb, arguments->rhythm);
   AddPluginArgument(*verb, arguments->plugin);
   verb->add_flag("--json", arguments->json, "Summary as JSON");

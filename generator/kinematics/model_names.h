@@ -6,6 +6,7 @@
 ///
 /// Elements of one side end in `_r` or `_l`: joint and actuator `sc_protraction_r`, body
 /// `scapula_r`, site `TS_r`. Attaching a model to another one may put a prefix before them.
+/// model/README.md lists them all.
 #pragma once
 
 #include <array>
@@ -29,6 +30,9 @@ inline constexpr const char* kTableKey =
     "table";  ///< a word of kBuiltInTableNames or RhythmTableToLine; DefaultTable if absent
 inline constexpr const char* kStiffnessKey =
     "kp";  ///< one number, or nine as kCoordinateNames [N m/rad]
+inline constexpr const char* kTranslationStiffnessKey =
+    "kp_translation";                            ///< one number [N/m]; for Lead::kScapula
+inline constexpr const char* kSideKey = "side";  ///< a word of kSideNames; right if absent
 
 inline constexpr std::size_t kCommandCount = 3;
 inline constexpr std::size_t kOffsetCount = 2;
@@ -70,12 +74,19 @@ inline constexpr std::size_t kDistance =
 inline constexpr std::size_t kSize = kDistance + 1;
 }  // namespace sensor_layout
 
-/// Sides; a model of one side uses one of them.
-inline constexpr std::string_view kRightSuffix = "_r";
+enum class Side { kRight, kLeft };
 
-[[nodiscard]] inline std::string SidedName(std::string_view stem, std::string_view suffix) {
-  return std::string(stem) + std::string(suffix);
+/// Words for the sides and what their elements' names end in, in the order of the enumerators.
+inline constexpr std::array<std::string_view, 2> kSideNames = {"right", "left"};
+inline constexpr std::array<std::string_view, 2> kSideSuffixes = {"_r", "_l"};
+
+/// Returns the name of one side's element: `scapula_r`.
+[[nodiscard]] inline std::string SidedName(std::string_view stem, Side side) {
+  return std::string(stem) + std::string(kSideSuffixes[static_cast<std::size_t>(side)]);
 }
+
+/// Stem of the equality that holds the AC joint together in the assembly loop.
+inline constexpr std::string_view kConnectName = "AC";
 
 /// Sites of landmarks bear the landmark's name (`TS_r`; `IJ`, which has no side). Where two bones
 /// meet the next bone has a site of its own at the same place, and the distance of the two is the

@@ -58,6 +58,16 @@ enum class EulerSequence {
 [[nodiscard]] Vector3 EulerRates(EulerSequence sequence, const Vector3& angles_rad,
                                  const Vector3& w_AB) noexcept;
 
+/// Returns the mirror image of a rotation of B in A in the plane across z, in the mirror images of
+/// both frames: those of a left shoulder's bones are the mirror images of a right one's.
+[[nodiscard]] inline Quaternion Mirrored(const Quaternion& q_AB) noexcept {
+  return {q_AB.w, -q_AB.x, -q_AB.y, q_AB.z};
+}
+/// The same of a position, or of another vector that is no axis of turning.
+[[nodiscard]] inline Vector3 Mirrored(const Vector3& p_A) noexcept {
+  return {p_A.x, p_A.y, -p_A.z};
+}
+
 /// Returns the rotation vector [rad] of a unit quaternion: axis times angle, angle in [0, pi].
 [[nodiscard]] Vector3 Log(const Quaternion& q_AB) noexcept;
 

@@ -17,13 +17,36 @@ struct JointDynamics {
   double armature_kg_m2;         ///< keeps light bones well conditioned
 };
 
-/// SC, AC, GH. The damping is near critical for what hangs on the joint (about 0.2, 0.1, 0.06 kg
-/// m^2 with the arm raised: c = 2 sqrt(k I)), so that targets are reached without overshoot and the
-/// lag is damping / stiffness, 20 ms.
+/// SC, AC (or ST, which carries the same), GH. The damping is near critical for what hangs on the
+/// joint (about 0.2, 0.1, 0.06 kg m^2 with the arm raised: c = 2 sqrt(k I)), so that targets are
+/// reached without overshoot and the lag is damping / stiffness, 20 ms.
 inline constexpr std::array<JointDynamics, kJointCount> kJointDynamics = {{
     {1500, 30, 0.02},
     {1000, 20, 0.02},
     {500, 10, 0.01},
 }};
+
+/// In an assembly loop, of the hinges of a bone that follows instead of leading: only what keeps it
+/// from ringing.
+inline constexpr double kFollowerDamping_N_m_s_per_rad = 0.5;
+
+/// Servo and passive properties of the three slides of the scapula in the thorax.
+struct TranslationDynamics {
+  double stiffness_N_per_m;
+  double damping_N_s_per_m;
+  double armature_kg;
+};
+
+/// Where the scapula leads: near critical for scapula and arm (3 kg), with the same lag of 20 ms.
+inline constexpr TranslationDynamics kLeadingTranslation = {10000, 200, 0.05};
+/// Where it follows the clavicle: the connect holds it.
+inline constexpr TranslationDynamics kFollowingTranslation = {0, 1, 0.05};
+
+/// How the connect of an assembly loop holds the AC joint. A constraint of time constant t and
+/// damping ratio r gives way by a (t r)^2 to what it does not foresee, the acceleration a with
+/// which the arm swings about SC (7 m/s^2 at 1 Hz): 0.05 mm with the shortest t there is at 2 ms,
+/// two steps. How hard it is (solimp) does not show.
+inline constexpr std::array<double, 2> kConnectSolref = {0.004, 0.7};
+inline constexpr std::array<double, 3> kConnectSolimp = {0.99, 0.99, 0.001};
 
 }  // namespace girdle

@@ -14,30 +14,51 @@ namespace {
 const Vector3 kCenter_m{-0.05, -0.22, 1.33};
 constexpr double kExtent_m = 0.7;
 constexpr double kCameraDistance_m = 1.0;
+// Both shoulders are that much wider than one.
+constexpr double kBothSides = 1.5;
 
-void WriteCamera(XmlElement& world, const char* name, const Vector3& direction,
+// What the cameras see.
+struct View {
+  Vector3 center_m;
+  double scale;  ///< of extent and distance
+};
+
+View ViewOf(Sides sides) {
+  switch (sides) {
+    case Sides::kRight:
+      return {kCenter_m, 1};
+    case Sides::kLeft:
+      return {{kCenter_m.x, -kCenter_m.y, kCenter_m.z}, 1};
+    case Sides::kBoth:
+      break;
+  }
+  return {{kCenter_m.x, 0, kCenter_m.z}, kBothSides};
+}
+
+void WriteCamera(XmlElement& world, const View& view, const char* name, const Vector3& direction,
                  const std::array<double, 6>& xyaxes) {
   world.Add("camera")
       .Set("name", name)
-      .Set("pos", kCenter_m + kCameraDistance_m * direction)
+      .Set("pos", view.center_m + view.scale * kCameraDistance_m * direction)
       .Set("xyaxes", xyaxes);
 }
 
 }  // namespace
 
-std::string SceneXml(const std::string& model_file) {
+std::string SceneXml(const std::string& model_file, Sides sides) {
+  const View view = ViewOf(sides);
   XmlFile file("mujoco");
   XmlElement root = file.root();
   root.Set("model", "girdle scene");
   root.Add("include").Set("file", model_file);
-  root.Add("statistic").Set("center", kCenter_m).Set("extent", kExtent_m);
+  root.Add("statistic").Set("center", view.center_m).Set("extent", view.scale * kExtent_m);
   XmlElement visual = root.Add("visual");
   visual.Add("headlight")
       .Set("diffuse", std::array{0.5, 0.5, 0.5})
       .Set("ambient", std::array{0.35, 0.35, 0.35})
       .Set("specular", std::array{0.0, 0.0, 0.0});
   visual.Add("rgba").Set("haze", std::array{0.68, 0.73, 0.78, 1.0});
-  visual.Add("global").Set("azimuth", 215).Set("elevation", -15);
+  visual.Add("global").Set("azimuth", sides == Sides::kLeft ? 145 : 215).Set("elevation", -15);
   XmlElement asset = root.Add("asset");
   asset.Add("texture")
       .Set("type", "skybox")
@@ -70,10 +91,16 @@ std::string SceneXml(const std::string& model_file) {
       .Set("size", Vector3{0, 0, 0.05})
       .Set("material", "floor");
   // A camera looks along its -z; the first three numbers are its x (right), the others its y (up).
-  WriteCamera(world, "front", {1, 0, 0}, {0, 1, 0, 0, 0, 1});
-  WriteCamera(world, "back", {-1, 0, 0}, {0, -1, 0, 0, 0, 1});
-  WriteCamera(world, "above", {0, 0, 1}, {0, -1, 0, 1, 0, 0});
-  WriteCamera(world, "oblique", {0.6, -0.64, 0.48}, {0.7295, 0.684, 0, -0.3283, 0.3502, 0.8773});
+  WriteCamera(world, view, "front", {1, 0, 0}, {0, 1, 0, 0, 0, 1});
+  WriteCamera(world, view, "back", {-1, 0, 0}, {0, -1, 0, 0, 0, 1});
+  WriteCamera(world, view, "above", {0, 0, 1}, {0, -1, 0, 1, 0, 0});
+  if (sides == Sides::kLeft) {
+    WriteCamera(world, view, "oblique", {0.6, 0.64, 0.48},
+                {-0.7295, 0.684, 0, -0.3283, -0.3502, 0.8773});
+  } else {
+    WriteCamera(world, view, "oblique", {0.6, -0.64, 0.48},
+                {0.7295, 0.684, 0, -0.3283, 0.3502, 0.8773});
+  }
   return file.Text();
 }
 

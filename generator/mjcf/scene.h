@@ -6,10 +6,12 @@
 
 #include <string>
 
+#include "mjcf/shoulder_model.h"
+
 namespace girdle {
 
 /// Returns a scene as XML: floor, lights and the cameras front, back, above and oblique around the
-/// model in `model_file`, which it includes.
-[[nodiscard]] std::string SceneXml(const std::string& model_file);
+/// model in `model_file`, which it includes and which has these sides.
+[[nodiscard]] std::string SceneXml(const std::string& model_file, Sides sides = Sides::kRight);
 
 }  // namespace girdle

@@ -8,8 +8,10 @@
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
+#include "kinematics/assembled_rhythm.h"
 #include "kinematics/model_names.h"
 #include "mjcf/bone_meshes.h"
 #include "mjcf/joint_dynamics.h"
@@ -26,6 +28,7 @@ constexpr double kJugularNotchHeight_m = 0.82 * 1.71;
 constexpr double kTimestep_s = 0.002;
 // How far a user may push a joint off its target.
 constexpr double kTrimRange_rad = 30 * kRadiansPerDegree;
+constexpr double kTranslationTrimRange_m = 0.03;
 // No arm is faster: a pitcher's humerus turns at 120 rad/s.
 constexpr double kFastestCommand_rad_per_s = 150;
 
@@ -35,10 +38,26 @@ constexpr int kMeshDecimals = 4;  // 0.1 mm
 // The thorax frame's axes in the world: x to x, y to z, z to -y.
 Quaternion ThoraxInWorld() { return QuaternionFromEuler(EulerSequence::kYXZ, {0, kPi / 2, 0}); }
 
-std::string Right(std::string_view stem) { return SidedName(stem, kRightSuffix); }
+// Mirror images for a left shoulder (rotation.h).
+Quaternion OnSide(Side side, const Quaternion& q_AB) {
+  return side == Side::kRight ? q_AB : Mirrored(q_AB);
+}
+Vector3 OnSide(Side side, const Vector3& p_A) { return side == Side::kRight ? p_A : Mirrored(p_A); }
+// An axis of turning has a sense that the mirror turns round.
+Vector3 AxisOnSide(Side side, const Vector3& axis) {
+  return side == Side::kRight ? axis : -Mirrored(axis);
+}
 
-std::string LandmarkSiteName(const LandmarkDefinition& landmark) {
-  return landmark.sided ? Right(landmark.name) : std::string(landmark.name);
+TriangleMesh OnSide(Side side, TriangleMesh mesh) {
+  if (side == Side::kLeft) {
+    for (Vector3& vertex : mesh.vertices_m) {
+      vertex = Mirrored(vertex);
+    }
+    for (std::array<int, 3>& triangle : mesh.triangles) {
+      std::swap(triangle[1], triangle[2]);
+    }
+  }
+  return mesh;
 }
 
 // Axes of a joint's three hinges in the child's frame, which stands at the hinges' reference
@@ -62,50 +81,75 @@ class ShoulderModelWriter {
   ShoulderModelWriter(const Anatomy& anatomy, const ShoulderRhythm& rhythm,
                       const ShoulderModelOptions& options)
       : anatomy_(anatomy),
-        rhythm_(rhythm),
+        assembled_(rhythm, options.assembly),
+        rhythm_(assembled_.rhythm()),
         options_(options),
-        rest_rad_(AnglesFromPose(rhythm.SolvePose({}))) {}
+        sides_(SidesOf(options.sides)),
+        coordinates_(DrivenCoordinates(options.assembly)),
+        rest_(assembled_.SolvePose({})),
+        rest_rad_(DrivenAngles(options.assembly, rest_)) {}
 
   std::string Write() {
-    if (options_.has_rates && rhythm_.options().interpolation != Interpolation::kSmooth) {
-      throw std::invalid_argument("rate commands need the interpolation smooth");
-    }
+    CheckOptions();
     CheckTable();
     CheckRanges();
     XmlElement root = file_.root();
-    root.Set("model", "girdle right shoulder");
-    const RhythmOptions& rhythm = rhythm_.options();
-    root.AddComment("Emitted by girdle generate. Interpolation " +
-                    std::string(Name(rhythm.interpolation)) + ", closure " +
-                    std::string(Name(rhythm.closure)) + ", range " +
-                    std::string(Name(*rhythm.range)) + ", table " +
-                    (options_.table ? std::string(Name(*options_.table)) + " (Ludewig et al. 2009)"
-                                    : "in the plugin's configuration"));
-    root.AddComment(
-        "A joint coordinate is the measured Euler angle [rad]: SC and AC Y-X'-Z'', GH X-Z'-Y'', "
-        "ISB frames; qpos0 is where controls of zero lead");
+    root.Set("model", "girdle " +
+                          std::string(kSidesNames[static_cast<std::size_t>(options_.sides)]) +
+                          (sides_.size() > 1 ? " shoulders" : " shoulder"));
+    WriteComments(root);
     root.Add("compiler").Set("angle", "radian");
     root.Add("option").Set("timestep", kTimestep_s).Set("integrator", "implicitfast");
     if (options_.actuation == Actuation::kPlugin) {
-      WriteExtension(root.Add("extension"));
+      XmlElement plugin = root.Add("extension").Add("plugin").Set("plugin", kPluginName);
+      for (const Side side : sides_) {
+        WriteInstance(plugin, side);
+      }
     }
     WriteDefaults(root.Add("default"));
     WriteAssets(root.Add("asset"));
     WriteBodies(root.Add("worldbody"));
+    if (options_.assembly == Assembly::kLoop) {
+      WriteEqualities(root.Add("equality"));
+    }
+    XmlElement actuator = root.Add("actuator");
+    for (const Side side : sides_) {
+      if (options_.actuation == Actuation::kPlugin) {
+        WritePluginActuators(actuator, side);
+      } else {
+        WritePositionActuators(actuator, side);
+      }
+    }
     if (options_.actuation == Actuation::kPlugin) {
-      WritePluginActuators(root.Add("actuator"));
-      root.Add("sensor")
-          .Add("plugin")
-          .Set("name", Right(kRhythmName))
-          .Set("instance", Right(kRhythmName));
-    } else {
-      WritePositionActuators(root.Add("actuator"));
+      XmlElement sensor = root.Add("sensor");
+      for (const Side side : sides_) {
+        sensor.Add("plugin")
+            .Set("name", SidedName(kRhythmName, side))
+            .Set("instance", SidedName(kRhythmName, side));
+      }
     }
     WriteKeyframes(root.Add("keyframe"));
     return file_.Text();
   }
 
  private:
+  void CheckOptions() const {
+    if (options_.has_rates && rhythm_.options().interpolation != Interpolation::kSmooth) {
+      throw std::invalid_argument("rate commands need the interpolation smooth");
+    }
+    if (options_.has_rates && options_.assembly == Assembly::kLoop) {
+      throw std::invalid_argument("rate commands need the assembly tree");
+    }
+    if (options_.actuation == Actuation::kPosition &&
+        (options_.has_offsets || options_.has_rates)) {
+      throw std::invalid_argument(
+          "commands for offsets and rates need the plugin: position servos are given joint angles");
+    }
+    if (options_.assembly == Assembly::kTree && options_.lead != Lead::kClavicle) {
+      throw std::invalid_argument("in a tree nothing but the clavicle can lead");
+    }
+  }
+
   // A model that names another table than its own would load and be wrong.
   void CheckTable() const {
     if (options_.table && RhythmTableToLine(rhythm_.table()) !=
@@ -132,11 +176,17 @@ class ShoulderModelWriter {
     }
   }
 
+  [[nodiscard]] const CoordinateRange& RangeOf(std::size_t coordinate) const {
+    return options_.assembly == Assembly::kLoop && coordinate / 3 == 1
+               ? anatomy_.scapulothoracic_ranges[coordinate - 3]
+               : anatomy_.ranges[coordinate];
+  }
+
   void CheckRangesAt(const ArmCommand& command) const {
     ArmCommand used;
-    const JointAngles angles_rad = AnglesFromPose(rhythm_.SolvePose(command, &used));
+    const JointAngles angles_rad = assembled_.SolveAngles(command, &used);
     for (std::size_t k = 0; k < kCoordinateCount; ++k) {
-      const CoordinateRange& range = anatomy_.ranges[k];
+      const CoordinateRange& range = RangeOf(k);
       // Rounding may take an angle over the range that its table ends at.
       constexpr double kRounding_rad = 1e-9;
       if (angles_rad[k] < range.lower_rad - kRounding_rad ||
@@ -144,9 +194,8 @@ class ShoulderModelWriter {
         const auto degrees = [](double angle_rad) {
           return RoundedText(DegreesFromRadians(angle_rad), 6);
         };
-        throw std::invalid_argument(std::string(kCoordinateNames[k]) + " is " +
-                                    degrees(angles_rad[k]) + " deg at plane " +
-                                    degrees(used.plane_rad) + ", elevation " +
+        throw std::invalid_argument(std::string(coordinates_[k]) + " is " + degrees(angles_rad[k]) +
+                                    " deg at plane " + degrees(used.plane_rad) + ", elevation " +
                                     degrees(used.elevation_rad) + ", outside the joint's range " +
                                     degrees(range.lower_rad) + " to " + degrees(range.upper_rad) +
                                     " deg. Check the signs and the sequence of the table's angles");
@@ -154,11 +203,33 @@ class ShoulderModelWriter {
     }
   }
 
-  void WriteExtension(XmlElement extension) const {
-    XmlElement instance = extension.Add("plugin")
-                              .Set("plugin", kPluginName)
-                              .Add("instance")
-                              .Set("name", Right(kRhythmName));
+  void WriteComments(XmlElement root) const {
+    const RhythmOptions& rhythm = rhythm_.options();
+    const bool is_loop = options_.assembly == Assembly::kLoop;
+    root.AddComment(
+        "Emitted by girdle generate. Interpolation " + std::string(Name(rhythm.interpolation)) +
+        ", closure " + std::string(Name(rhythm.closure)) + ", range " +
+        std::string(Name(*rhythm.range)) + ", table " +
+        (options_.table ? std::string(Name(*options_.table)) + " (Ludewig et al. 2009)"
+         : options_.actuation == Actuation::kPlugin ? "in the plugin's configuration"
+                                                    : "the user's own") +
+        (is_loop ? ", assembly loop, the " +
+                       std::string(kLeadNames[static_cast<std::size_t>(options_.lead)]) + " leads"
+                 : ""));
+    root.AddComment("A joint coordinate is the measured Euler angle [rad]: SC and " +
+                    std::string(is_loop ? "ST" : "AC") + " Y-X'-Z'', GH X-Z'-Y'', ISB frames" +
+                    (is_loop ? "; the slides are PAC's place [m]" : "") +
+                    "; qpos0 is where controls of zero lead");
+  }
+
+  // Stiffness of the servo of a coordinate; none for what follows.
+  [[nodiscard]] double StiffnessOf(std::size_t coordinate) const {
+    const bool follows = options_.lead == Lead::kScapula && coordinate < 2;
+    return follows ? 0 : kJointDynamics[coordinate / 3].stiffness_N_m_per_rad;
+  }
+
+  void WriteInstance(XmlElement plugin, Side side) const {
+    XmlElement instance = plugin.Add("instance").Set("name", SidedName(kRhythmName, side));
     const auto configure = [&instance](const char* key, std::string_view value) {
       instance.Add("config").Set("key", key).Set("value", value);
     };
@@ -169,12 +240,16 @@ class ShoulderModelWriter {
       configure(kTableKey, Name(*options_.table));
     }
     std::string stiffness;
-    for (const JointDynamics& joint : kJointDynamics) {
-      for (int hinge = 0; hinge < 3; ++hinge) {
-        stiffness += (stiffness.empty() ? "" : " ") + NumberText(joint.stiffness_N_m_per_rad);
-      }
+    for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+      stiffness += (stiffness.empty() ? "" : " ") + NumberText(StiffnessOf(k));
     }
     configure(kStiffnessKey, stiffness);
+    if (options_.lead == Lead::kScapula) {
+      configure(kTranslationStiffnessKey, NumberText(kLeadingTranslation.stiffness_N_per_m));
+    }
+    if (side == Side::kLeft) {
+      configure(kSideKey, kSideNames[static_cast<std::size_t>(side)]);
+    }
     if (!options_.table) {
       configure(kTableKey, RhythmTableToLine(rhythm_.table()));
     }
@@ -199,9 +274,11 @@ class ShoulderModelWriter {
     asset.Add("material").Set("name", "bone").Set("rgba", std::array{0.89, 0.85, 0.76, 1.0});
     asset.Add("material").Set("name", "rib").Set("rgba", std::array{0.75, 0.77, 0.8, 1.0});
     WriteMesh(asset, "ribcage", RibcageMesh(anatomy_));
-    WriteMesh(asset, Right("clavicle"), ClavicleMesh(anatomy_));
-    WriteMesh(asset, Right("scapula"), ScapulaMesh(anatomy_));
-    WriteMesh(asset, Right("humerus"), HumerusMesh(anatomy_));
+    for (const Side side : sides_) {
+      WriteMesh(asset, SidedName("clavicle", side), OnSide(side, ClavicleMesh(anatomy_)));
+      WriteMesh(asset, SidedName("scapula", side), OnSide(side, ScapulaMesh(anatomy_)));
+      WriteMesh(asset, SidedName("humerus", side), OnSide(side, HumerusMesh(anatomy_)));
+    }
   }
 
   static void WriteMesh(XmlElement asset, const std::string& name, const TriangleMesh& mesh) {
@@ -231,75 +308,139 @@ class ShoulderModelWriter {
                             .Set("pos", Vector3{0, 0, kJugularNotchHeight_m})
                             .Set("quat", ThoraxInWorld())
                             .Set("childclass", "girdle");
-    WriteInertial(thorax, Segment::kThorax);
+    WriteInertial(thorax, Segment::kThorax, sides_.front());
     thorax.Add("geom")
         .Set("name", "ribcage")
         .Set("type", "mesh")
         .Set("mesh", "ribcage")
         .Set("material", "rib");
-    WriteLandmarks(thorax, Segment::kThorax);
-
-    XmlElement clavicle = WriteBone(thorax, Segment::kClavicle, 0, Landmark::kSC);
-    XmlElement scapula = WriteBone(clavicle, Segment::kScapula, 1, Landmark::kPAC);
-    WriteBone(scapula, Segment::kHumerus, 2, Landmark::kGH);
+    WriteUnsidedLandmarks(thorax);
+    for (const Side side : sides_) {
+      WriteLandmarks(thorax, Segment::kThorax, side);
+    }
+    for (const Side side : sides_) {
+      XmlElement clavicle =
+          WriteBone(thorax, Segment::kClavicle, 0, anatomy_.landmark_m(Landmark::kSC), side);
+      const bool is_loop = options_.assembly == Assembly::kLoop;
+      XmlElement scapula =
+          is_loop ? WriteBone(thorax, Segment::kScapula, 1, PlaceOfScapula(rest_), side)
+                  : WriteBone(clavicle, Segment::kScapula, 1, anatomy_.landmark_m(Landmark::kPAC),
+                              side);
+      WriteBone(scapula, Segment::kHumerus, 2, anatomy_.landmark_m(Landmark::kGH), side);
+    }
   }
 
-  // A moving bone, hanging at `origin` of its parent by the three hinges of `joint`.
-  XmlElement WriteBone(XmlElement& parent, Segment segment, std::size_t joint,
-                       Landmark origin) const {
-    const std::string name = Right(kSegmentNames[static_cast<std::size_t>(segment)]);
+  // PAC in the thorax frame [m] where the clavicle takes it.
+  [[nodiscard]] Vector3 PlaceOfScapula(const ShoulderPose& pose) const {
+    return anatomy_.landmark_m(Landmark::kSC) + pose.q_TC * anatomy_.landmark_m(Landmark::kPAC);
+  }
+
+  // A moving bone, at `p_m` of its parent, hanging there by the three hinges of `joint`; a scapula
+  // that hangs from the thorax by three slides as well.
+  XmlElement WriteBone(XmlElement& parent, Segment segment, std::size_t joint, const Vector3& p_m,
+                       Side side) const {
+    const std::string name = SidedName(kSegmentNames[static_cast<std::size_t>(segment)], side);
     const EulerSequence sequence = kJointSequences[joint];
     const Vector3 reference_rad{rest_rad_[3 * joint], rest_rad_[3 * joint + 1],
                                 rest_rad_[3 * joint + 2]};
+    const Quaternion reference = QuaternionFromEuler(sequence, reference_rad);
     XmlElement body = parent.Add("body")
                           .Set("name", name)
-                          .Set("pos", anatomy_.landmark_m(origin))
-                          .Set("quat", QuaternionFromEuler(sequence, reference_rad))
+                          .Set("pos", OnSide(side, p_m))
+                          .Set("quat", OnSide(side, reference))
                           .Set("gravcomp", 1);
-    WriteInertial(body, segment);
+    WriteInertial(body, segment, side);
+    if (segment == Segment::kScapula && options_.assembly == Assembly::kLoop) {
+      WriteSlides(body, p_m, glm::conjugate(reference), side);
+    }
     const std::array<Vector3, 3> axes = HingeAxes(sequence, reference_rad);
     for (std::size_t hinge = 0; hinge < 3; ++hinge) {
       const std::size_t k = 3 * joint + hinge;
+      const CoordinateRange& range = RangeOf(k);
       body.Add("joint")
-          .Set("name", Right(kCoordinateNames[k]))
-          .Set("axis", axes[hinge])
+          .Set("name", SidedName(coordinates_[k], side))
+          .Set("axis", AxisOnSide(side, axes[hinge]))
           .Set("ref", rest_rad_[k])
-          .Set("range", std::array{anatomy_.ranges[k].lower_rad, anatomy_.ranges[k].upper_rad})
-          .Set("damping", kJointDynamics[joint].damping_N_m_s_per_rad)
+          .Set("range", std::array{range.lower_rad, range.upper_rad})
+          .Set("damping", StiffnessOf(k) > 0 ? kJointDynamics[joint].damping_N_m_s_per_rad
+                                             : kFollowerDamping_N_m_s_per_rad)
           .Set("armature", kJointDynamics[joint].armature_kg_m2);
     }
     body.Add("geom").Set("name", name).Set("type", "mesh").Set("mesh", name);
-    body.Add("site").Set("name", Right(kJointSites[joint].child));
-    WriteLandmarks(body, segment);
+    body.Add("site").Set("name", SidedName(kJointSites[joint].child, side));
+    WriteLandmarks(body, segment, side);
     return body;
   }
 
-  void WriteInertial(XmlElement& body, Segment segment) const {
+  // The slides go along the thorax's axes, which the body's own frame has at q_ST.
+  void WriteSlides(XmlElement& body, const Vector3& p_m, const Quaternion& q_ST, Side side) const {
+    const TranslationDynamics& dynamics =
+        options_.lead == Lead::kScapula ? kLeadingTranslation : kFollowingTranslation;
+    for (int i = 0; i < 3; ++i) {
+      Vector3 axis{0, 0, 0};
+      axis[i] = 1;
+      body.Add("joint")
+          .Set("name", SidedName(kTranslationNames[static_cast<std::size_t>(i)], side))
+          .Set("type", "slide")
+          .Set("axis", OnSide(side, q_ST * axis))
+          .Set("ref", p_m[i])
+          .Set("damping", dynamics.damping_N_s_per_m)
+          .Set("armature", dynamics.armature_kg);
+    }
+  }
+
+  void WriteInertial(XmlElement& body, Segment segment, Side side) const {
     const SegmentInertia& inertia = anatomy_.segment(segment);
+    Vector3 center_m = OnSide(side, inertia.center_of_mass_m);
+    if (segment == Segment::kThorax && sides_.size() > 1) {
+      center_m.z = 0;
+    }
     body.Add("inertial")
-        .Set("pos", inertia.center_of_mass_m)
+        .Set("pos", center_m)
         .Set("mass", inertia.mass_kg)
         .Set("diaginertia", inertia.inertia_kg_m2);
   }
 
-  void WriteLandmarks(XmlElement& body, Segment segment) const {
+  void WriteUnsidedLandmarks(XmlElement& thorax) const {
     for (std::size_t i = 0; i < kLandmarkCount; ++i) {
-      if (kLandmarks[i].segment == segment) {
-        body.Add("site")
-            .Set("name", LandmarkSiteName(kLandmarks[i]))
-            .Set("pos", anatomy_.landmarks_m[i]);
+      if (!kLandmarks[i].sided) {
+        thorax.Add("site")
+            .Set("name", kLandmarks[i].name)
+            .Set("pos", sides_.size() > 1 ? InMedianPlane(anatomy_.landmarks_m[i])
+                                          : OnSide(sides_.front(), anatomy_.landmarks_m[i]));
       }
     }
   }
 
-  void WritePluginActuators(XmlElement actuator) const {
+  void WriteLandmarks(XmlElement& body, Segment segment, Side side) const {
+    for (std::size_t i = 0; i < kLandmarkCount; ++i) {
+      if (kLandmarks[i].segment == segment && kLandmarks[i].sided) {
+        body.Add("site")
+            .Set("name", SidedName(kLandmarks[i].name, side))
+            .Set("pos", OnSide(side, anatomy_.landmarks_m[i]));
+      }
+    }
+  }
+
+  void WriteEqualities(XmlElement equality) const {
+    for (const Side side : sides_) {
+      equality.Add("connect")
+          .Set("name", SidedName(kConnectName, side))
+          .Set("site1", SidedName(kJointSites[1].parent, side))
+          .Set("site2", SidedName(kJointSites[1].child, side))
+          .Set("solref", kConnectSolref)
+          .Set("solimp", kConnectSolimp);
+    }
+  }
+
+  void WritePluginActuators(XmlElement& actuator, Side side) const {
     const ArmRectangle& domain = rhythm_.domain();
     // A command has no force of its own; MuJoCo wants it to act on something all the same.
-    const auto write_command = [&actuator](std::string_view name, const CoordinateRange& range) {
+    const auto write_command = [&](std::string_view name, const CoordinateRange& range) {
       actuator.Add("plugin")
-          .Set("name", Right(name))
-          .Set("joint", Right(kCoordinateNames[kGhAxialIndex]))
-          .Set("instance", Right(kRhythmName))
+          .Set("name", SidedName(name, side))
+          .Set("joint", SidedName(kCoordinateNames[kGhAxialIndex], side))
+          .Set("instance", SidedName(kRhythmName, side))
           .Set("gear", 0)
           .Set("ctrlrange", std::array{range.lower_rad, range.upper_rad});
     };
@@ -315,22 +456,41 @@ class ShoulderModelWriter {
         write_command(rate, {-kFastestCommand_rad_per_s, kFastestCommand_rad_per_s});
       }
     }
-    for (const std::string_view coordinate : kCoordinateNames) {
+    const auto write_servo = [&](std::string_view coordinate, double trim) {
       actuator.Add("plugin")
-          .Set("name", Right(coordinate))
-          .Set("joint", Right(coordinate))
-          .Set("instance", Right(kRhythmName))
-          .Set("ctrlrange", std::array{-kTrimRange_rad, kTrimRange_rad});
+          .Set("name", SidedName(coordinate, side))
+          .Set("joint", SidedName(coordinate, side))
+          .Set("instance", SidedName(kRhythmName, side))
+          .Set("ctrlrange", std::array{-trim, trim});
+    };
+    for (const std::string_view coordinate : coordinates_) {
+      write_servo(coordinate, kTrimRange_rad);
+    }
+    if (options_.lead == Lead::kScapula) {
+      for (const std::string_view translation : kTranslationNames) {
+        write_servo(translation, kTranslationTrimRange_m);
+      }
     }
   }
 
-  void WritePositionActuators(XmlElement actuator) const {
+  void WritePositionActuators(XmlElement& actuator, Side side) const {
     for (std::size_t k = 0; k < kCoordinateCount; ++k) {
-      actuator.Add("position")
-          .Set("name", Right(kCoordinateNames[k]))
-          .Set("joint", Right(kCoordinateNames[k]))
-          .Set("kp", kJointDynamics[k / 3].stiffness_N_m_per_rad)
-          .Set("ctrlrange", std::array{anatomy_.ranges[k].lower_rad, anatomy_.ranges[k].upper_rad});
+      if (StiffnessOf(k) > 0) {
+        const CoordinateRange& range = RangeOf(k);
+        actuator.Add("position")
+            .Set("name", SidedName(coordinates_[k], side))
+            .Set("joint", SidedName(coordinates_[k], side))
+            .Set("kp", StiffnessOf(k))
+            .Set("ctrlrange", std::array{range.lower_rad, range.upper_rad});
+      }
+    }
+    if (options_.lead == Lead::kScapula) {
+      for (const std::string_view translation : kTranslationNames) {
+        actuator.Add("position")
+            .Set("name", SidedName(translation, side))
+            .Set("joint", SidedName(translation, side))
+            .Set("kp", kLeadingTranslation.stiffness_N_per_m);
+      }
     }
   }
 
@@ -351,50 +511,93 @@ class ShoulderModelWriter {
   }
 
   void WriteKeyframes(XmlElement keyframe) const {
-    for (const NamedPose& pose : kKeyframes) {
+    for (const NamedPose& named : kKeyframes) {
       const ShoulderSolution solution = rhythm_.Solve(
-          {RadiansFromDegrees(pose.elevation_deg), RadiansFromDegrees(pose.plane_deg)});
+          {RadiansFromDegrees(named.elevation_deg), RadiansFromDegrees(named.plane_deg)});
       // Only rest is the nearest pose there is; the others are what their names say or are not
       // there.
-      if (pose.name != kRestName && solution.clamped) {
+      if (named.name != kRestName && solution.clamped) {
         continue;
       }
-      const JointAngles target_rad = AnglesFromPose(solution.pose);
-      const JointAngles angles_rad = pose.name == kRelaxedName
-                                         ? AnglesFromPose(HangingIn(RelaxedStanding(), rhythm_))
-                                         : target_rad;
-      keyframe.Add("key")
-          .Set("name", pose.name)
-          .Set("qpos", angles_rad)
-          .Set("ctrl", KeyframeControls(solution.used, target_rad, angles_rad));
+      const ShoulderPose target = assembled_.SolvePose(solution.used);
+      const ShoulderPose pose =
+          named.name == kRelaxedName ? HangingIn(RelaxedStanding(), rhythm_) : target;
+      std::vector<double> positions;
+      std::vector<double> controls;
+      for (std::size_t side = 0; side < sides_.size(); ++side) {
+        AppendPositions(positions, pose);
+        AppendControls(controls, solution.used, target, pose);
+      }
+      keyframe.Add("key").Set("name", named.name).Set("qpos", positions).Set("ctrl", controls);
     }
   }
 
-  // Controls that hold the joints at `angles_rad`: the plugin's trims make up for what they are off
-  // its targets.
-  [[nodiscard]] std::vector<double> KeyframeControls(const ArmCommand& command,
-                                                     const JointAngles& target_rad,
-                                                     const JointAngles& angles_rad) const {
-    if (options_.actuation == Actuation::kPosition) {
-      return {angles_rad.begin(), angles_rad.end()};
+  // One side's joints, body by body.
+  void AppendPositions(std::vector<double>& positions, const ShoulderPose& pose) const {
+    const JointAngles angles_rad = DrivenAngles(options_.assembly, pose);
+    positions.insert(positions.end(), angles_rad.begin(), angles_rad.begin() + 3);
+    if (options_.assembly == Assembly::kLoop) {
+      const Vector3 p_m = PlaceOfScapula(pose);
+      positions.insert(positions.end(), {p_m.x, p_m.y, p_m.z});
     }
-    std::vector<double> controls = {command.elevation_rad, command.plane_rad};
-    controls.resize(kCommandCount + (options_.has_offsets ? kOffsetCount : 0) +
+    positions.insert(positions.end(), angles_rad.begin() + 3, angles_rad.end());
+  }
+
+  // One side's controls that hold the joints at `pose`: the plugin's trims make up for what it is
+  // off the plugin's own target.
+  void AppendControls(std::vector<double>& controls, const ArmCommand& command,
+                      const ShoulderPose& target, const ShoulderPose& pose) const {
+    const JointAngles target_rad = DrivenAngles(options_.assembly, target);
+    const JointAngles angles_rad = DrivenAngles(options_.assembly, pose);
+    const Vector3 p_m = PlaceOfScapula(pose);
+    const bool has_place = options_.lead == Lead::kScapula;
+    if (options_.actuation == Actuation::kPosition) {
+      for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+        if (StiffnessOf(k) > 0) {
+          controls.push_back(angles_rad[k]);
+        }
+      }
+      if (has_place) {
+        controls.insert(controls.end(), {p_m.x, p_m.y, p_m.z});
+      }
+      return;
+    }
+    controls.insert(controls.end(), {command.elevation_rad, command.plane_rad, 0});
+    controls.resize(controls.size() + (options_.has_offsets ? kOffsetCount : 0) +
                     (options_.has_rates ? kRateCount : 0));
     for (std::size_t k = 0; k < kCoordinateCount; ++k) {
       controls.push_back(angles_rad[k] - target_rad[k]);
     }
-    return controls;
+    if (has_place) {
+      const Vector3 trim_m = p_m - PlaceOfScapula(target);
+      controls.insert(controls.end(), {trim_m.x, trim_m.y, trim_m.z});
+    }
   }
 
   const Anatomy& anatomy_;
-  const ShoulderRhythm& rhythm_;
+  AssembledRhythm assembled_;
+  const ShoulderRhythm& rhythm_;  ///< of assembled_
   const ShoulderModelOptions& options_;
+  std::vector<Side> sides_;
+  std::array<std::string_view, kCoordinateCount> coordinates_;
+  ShoulderPose rest_;
   JointAngles rest_rad_;
   XmlFile file_{"mujoco"};
 };
 
 }  // namespace
+
+std::vector<Side> SidesOf(Sides sides) {
+  switch (sides) {
+    case Sides::kRight:
+      return {Side::kRight};
+    case Sides::kLeft:
+      return {Side::kLeft};
+    case Sides::kBoth:
+      break;
+  }
+  return {Side::kRight, Side::kLeft};
+}
 
 std::string ShoulderModelXml(const Anatomy& anatomy, const ShoulderRhythm& rhythm,
                              const ShoulderModelOptions& options) {

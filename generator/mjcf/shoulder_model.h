@@ -1,13 +1,22 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// The right shoulder as MJCF: thorax > clavicle > scapula > humerus, three hinges a joint in the
-/// order of the measured Euler angles, so that a joint coordinate is the measured angle.
+/// Shoulders as MJCF: a right one, a left one or both on one thorax, in one of two assemblies
+/// (assembly.h), three hinges a joint in the order of the measured Euler angles, so that a joint
+/// coordinate is the measured angle.
+///
+/// The left shoulder is the mirror image of the right one: frames, places and axes are mirrored,
+/// coordinates are the same.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
+#include "kinematics/assembly.h"
+#include "kinematics/model_names.h"
 #include "kinematics/shoulder_rhythm.h"
 #include "tables/anatomy.h"
 #include "tables/built_in.h"
@@ -21,22 +30,35 @@ enum class Actuation {
   kPosition,  ///< nine native position servos with the same gains and no plugin
 };
 
+inline constexpr std::array<std::string_view, 2> kActuationNames = {"plugin", "position"};
+
+enum class Sides { kRight, kLeft, kBoth };
+inline constexpr std::array<std::string_view, 3> kSidesNames = {"right", "left", "both"};
+
+/// The sides in the order in which a model has them.
+[[nodiscard]] std::vector<Side> SidesOf(Sides sides);
+
 struct ShoulderModelOptions {
+  Sides sides = Sides::kRight;
+  Assembly assembly = Assembly::kTree;
+  Lead lead = Lead::kClavicle;  ///< of a loop
   Actuation actuation = Actuation::kPlugin;
   /// Which built-in table the rhythm's is; nothing writes it into the plugin's configuration.
   std::optional<BuiltInTable> table = BuiltInTable::kDestepped;
   /// With commands for shrug and protraction; for kPlugin.
   bool has_offsets = false;
   /// With commands for how fast elevation, plane and axial change, which the plugin feeds forward;
-  /// for kPlugin.
+  /// for kPlugin and a tree.
   bool has_rates = false;
 };
 
-/// Returns the model as XML, complete in one file. Joint coordinates start where the controls' zero
-/// leads: the arm hanging, or the lowest position of a clamped rhythm. Radians, meters, kilograms;
-/// world z up, x to the front. Throws std::invalid_argument if the rhythm leaves the anatomy's
-/// joint ranges, looked for on a grid of 1 deg, or if the options name a table that is not the
-/// rhythm's or ask for rates that the interpolation does not have.
+/// Returns the model as XML, complete in one file. In a model of both shoulders the landmarks of
+/// the thorax that have no side lie in the median plane. Joint coordinates start where the
+/// controls' zero leads: the arm hanging, or the lowest position of a clamped rhythm. Radians,
+/// meters, kilograms; world z up, x to the front. Throws std::invalid_argument if the rhythm leaves
+/// the anatomy's joint ranges, looked for on a grid of 1 deg, or if the options name a table that
+/// is not the rhythm's, ask for rates that interpolation or assembly do not have, for a loop of a
+/// table with fewer than three planes, or for commands of a model without plugin.
 [[nodiscard]] std::string ShoulderModelXml(const Anatomy& anatomy, const ShoulderRhythm& rhythm,
                                            const ShoulderModelOptions& options = {});
 

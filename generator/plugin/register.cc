@@ -41,7 +41,8 @@ int Init(const mjModel* model, mjData* data, int instance) noexcept {
     const RhythmConfig config = ParseRhythmConfig(
         {ConfigText(model, instance, kInterpolationKey), ConfigText(model, instance, kClosureKey),
          ConfigText(model, instance, kRangeKey), ConfigText(model, instance, kTableKey),
-         ConfigText(model, instance, kStiffnessKey)});
+         ConfigText(model, instance, kStiffnessKey), ConfigText(model, instance, kSideKey),
+         ConfigText(model, instance, kTranslationStiffnessKey)});
     auto controller = std::make_unique<RhythmController>(*model, instance, config);
     data->plugin_data[instance] = reinterpret_cast<uintptr_t>(controller.release());
     return 0;
@@ -87,8 +88,9 @@ void Register() {
         PluginPath(), built_for.c_str(), engine.version_string(), kPluginName, built_for.c_str());
     return;
   }
-  static const char* const kAttributes[] = {kInterpolationKey, kClosureKey, kRangeKey, kTableKey,
-                                            kStiffnessKey};
+  static const char* const kAttributes[] = {
+      kInterpolationKey,       kClosureKey, kRangeKey, kTableKey, kStiffnessKey, kSideKey,
+      kTranslationStiffnessKey};
   mjpPlugin plugin;
   engine.default_plugin(&plugin);
   plugin.name = kPluginName;

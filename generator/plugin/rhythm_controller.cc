@@ -60,17 +60,14 @@ std::size_t TakeRole(const mjModel& model, int actuator,
   return *role;
 }
 
-// The first `needed` roles have to be taken.
 template <std::size_t N>
 void CheckTaken(const std::array<std::string_view, N>& roles, const std::array<bool, N>& taken,
-                std::size_t needed, const char* kind, const char* example_attributes) {
-  for (std::size_t role = 0; role < needed; ++role) {
-    if (!taken[role]) {
-      const std::string name(roles[role]);
-      throw std::runtime_error("no " + std::string(kind) + " for " + name +
-                               ". Add <plugin name=\"" + name + "_r\" instance=\"...\" " +
-                               example_attributes + "/> to <actuator>");
-    }
+                std::size_t role, const char* kind, const char* example_attributes) {
+  if (!taken[role]) {
+    const std::string name(roles[role]);
+    throw std::runtime_error("no " + std::string(kind) + " for " + name + ". Add <plugin name=\"" +
+                             name + "_r\" instance=\"...\" " + example_attributes +
+                             "/> to <actuator>");
   }
 }
 
@@ -116,7 +113,7 @@ bool RhythmController::Servo::IsDisabled(const mjModel& model) const noexcept {
 
 RhythmController::RhythmController(const mjModel& model, int instance, const RhythmConfig& config) {
   std::array<bool, kAllCommandCount> has_command{};
-  std::array<bool, kCoordinateCount> has_servo{};
+  std::array<bool, kServoRoleCount> has_servo{};
   for (int actuator = 0; actuator < model.nactuator; ++actuator) {
     if (model.actuator_plugin[actuator] != instance) {
       continue;
@@ -126,13 +123,15 @@ RhythmController::RhythmController(const mjModel& model, int instance, const Rhy
           model, actuator,
           TakeRole(model, actuator, kAllCommandNames, has_command, "command actuator (gear 0)"));
     } else {
-      AddServo(model, actuator, TakeRole(model, actuator, kCoordinateNames, has_servo, "servo"),
-               config);
+      const std::size_t role = TakeRole(model, actuator, kServoRoles, has_servo, "servo");
+      AddServo(model, actuator, role, config);
     }
   }
-  CheckTaken(kAllCommandNames, has_command, kCommandCount, "command actuator",
-             "joint=\"...\" gear=\"0\"");
-  CheckTaken(kCoordinateNames, has_servo, kCoordinateCount, "servo", "joint=\"...\"");
+  for (std::size_t role = 0; role < kCommandCount; ++role) {
+    CheckTaken(kAllCommandNames, has_command, role, "command actuator", "joint=\"...\" gear=\"0\"");
+  }
+  const Assembly assembly = CheckServos(has_servo);
+  side_ = config.side;
   FindSensors(model, instance);
   const auto first_rate = has_command.begin() + kCommandCount + kOffsetCount;
   has_rates_ = std::any_of(first_rate, has_command.end(), [](bool has) { return has; });
@@ -142,8 +141,94 @@ RhythmController::RhythmController(const mjModel& model, int instance, const Rhy
         std::string(Name(config.options.interpolation)) +
         ", which has no rates. Remove them, or use the interpolation smooth");
   }
-  rhythm_ = ConfiguredRhythm(config, RangesOf(model));
-  solved_.target_rad = AnglesFromPose(rhythm_->SolvePose(solved_command_, &solved_.used));
+  if (has_rates_ && assembly == Assembly::kLoop) {
+    throw std::runtime_error(
+        "there are rate commands (elevation_rate and so on), and the scapula hangs from the thorax "
+        "(st_ servos), where they are not known. Remove them");
+  }
+  try {
+    rhythm_.emplace(ConfiguredRhythm(config, RangesOf(model, assembly)), assembly);
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error("st_ servos: " + std::string(error.what()));
+  }
+  if (has_translations_) {
+    FindClavicle(model);
+  }
+  SolveAim(solved_command_);
+}
+
+// The first nine are a tree's; a loop has those of the scapula on the thorax instead of AC's, and
+// three for its place as well or not.
+Assembly RhythmController::CheckServos(const std::array<bool, kServoRoleCount>& has_servo) {
+  const auto has = [&has_servo](std::size_t role) { return has_servo[role]; };
+  const bool has_st =
+      has(kScapulothoracicRole) || has(kScapulothoracicRole + 1) || has(kScapulothoracicRole + 2);
+  has_translations_ =
+      has(kTranslationRole) || has(kTranslationRole + 1) || has(kTranslationRole + 2);
+  std::vector<std::size_t> needed;
+  for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+    const bool is_ac = k / 3 == 1;
+    needed.push_back(is_ac && has_st ? kScapulothoracicRole + k - 3 : k);
+  }
+  if (has_translations_) {
+    needed.insert(needed.end(), {kTranslationRole, kTranslationRole + 1, kTranslationRole + 2});
+  }
+  for (const std::size_t role : needed) {
+    CheckTaken(kServoRoles, has_servo, role, "servo", "joint=\"...\"");
+  }
+  for (std::size_t role = 0; role < kServoRoleCount; ++role) {
+    if (has(role) && std::find(needed.begin(), needed.end(), role) == needed.end()) {
+      throw std::runtime_error("servos of both " + std::string(kServoRoles[role]) + " and " +
+                               std::string(kServoRoles[needed[3]]) +
+                               ": the scapula hangs either from the clavicle (ac_ servos) or from "
+                               "the thorax (st_ servos). Remove one kind");
+    }
+  }
+  if (has_translations_ && !has_st) {
+    throw std::runtime_error(
+        "servos for the scapula's place (st_lateral and so on), but none for its orientation. Add "
+        "st_internal_rotation, st_upward_rotation and st_tilt");
+  }
+  return has_st ? Assembly::kLoop : Assembly::kTree;
+}
+
+// Where the clavicle begins in the thorax, and where on it the scapula hangs: from the connect of
+// the two bones. A left shoulder's are taken to the right.
+void RhythmController::FindClavicle(const mjModel& model) {
+  const int clavicle = model.jnt_bodyid[model.dof_jntid[servos_[0].dof_address]];
+  const int scapula = model.jnt_bodyid[model.dof_jntid[servos_[kCoordinateCount].dof_address]];
+  const auto canonical = [this](const mjtNum* p) {
+    const Vector3 position{p[0], p[1], p[2]};
+    return side_ == Side::kRight ? position : Mirrored(position);
+  };
+  p_TC_m_ = canonical(model.body_pos + 3 * clavicle);
+  for (int equality = 0; equality < model.neq; ++equality) {
+    if (model.eq_type[equality] != mjEQ_CONNECT || model.eq_objtype[equality] != mjOBJ_SITE) {
+      continue;
+    }
+    const std::array<int, 2> sites = {model.eq_obj1id[equality], model.eq_obj2id[equality]};
+    const std::array<int, 2> bodies = {model.site_bodyid[sites[0]], model.site_bodyid[sites[1]]};
+    for (const std::size_t own : {std::size_t{0}, std::size_t{1}}) {
+      if (bodies[own] == clavicle && bodies[1 - own] == scapula) {
+        p_CS_m_ = canonical(model.site_pos + 3 * sites[own]);
+        return;
+      }
+    }
+  }
+  throw std::runtime_error(
+      "servos for the scapula's place (st_lateral and so on), but no <connect site1=\"...\" "
+      "site2=\"...\"/> of clavicle and scapula in <equality>, which says where the AC joint is. "
+      "Add "
+      "one");
+}
+
+void RhythmController::SolveAim(const ArmCommand& command) noexcept {
+  solved_command_ = command;
+  const ShoulderPose pose = rhythm_->SolvePose(command, &solved_.used);
+  solved_.target_rad = DrivenAngles(rhythm_->assembly(), pose);
+  if (has_translations_) {
+    solved_.target_p_TS_m = p_TC_m_ + pose.q_TC * p_CS_m_;
+  }
 }
 
 void RhythmController::AddCommand(const mjModel& model, int actuator, std::size_t role) {
@@ -153,10 +238,13 @@ void RhythmController::AddCommand(const mjModel& model, int actuator, std::size_
 void RhythmController::AddServo(const mjModel& model, int actuator, std::size_t role,
                                 const RhythmConfig& config) {
   const int joint = model.actuator_trnid[2 * actuator];
-  if (model.actuator_trntype[actuator] != mjTRN_JOINT || model.jnt_type[joint] != mjJNT_HINGE) {
-    throw std::runtime_error(ActuatorName(model, actuator) +
-                             " does not act on a hinge. Give it joint=\"" +
-                             std::string(kCoordinateNames[role]) + "_r\", a hinge");
+  const bool is_translation = role >= kTranslationRole;
+  const char* const kind = is_translation ? "slide" : "hinge";
+  if (model.actuator_trntype[actuator] != mjTRN_JOINT ||
+      model.jnt_type[joint] != (is_translation ? mjJNT_SLIDE : mjJNT_HINGE)) {
+    throw std::runtime_error(ActuatorName(model, actuator) + " does not act on a " + kind +
+                             ". Give it joint=\"" + std::string(kServoRoles[role]) + "_r\", a " +
+                             kind);
   }
   const int output = model.actuator_outadr[actuator];
   if (model.actuator_gear[6 * output] != 1) {
@@ -164,12 +252,18 @@ void RhythmController::AddServo(const mjModel& model, int actuator, std::size_t 
                              std::to_string(model.actuator_gear[6 * output]) +
                              ", expected 1 (or 0 for a command). Remove gear and set kp instead");
   }
-  servos_[role] = {model.jnt_qposadr[joint],
-                   model.jnt_dofadr[joint],
-                   output,
-                   {model.actuator_ctrladr[actuator]},
-                   config.stiffness_N_m_per_rad[role],
-                   model.actuator_group[actuator]};
+  // Coordinates in their order, AC's or the scapula's on the thorax in the same places; then the
+  // scapula's place.
+  const std::size_t slot = role < kScapulothoracicRole ? role
+                           : is_translation            ? kCoordinateCount + role - kTranslationRole
+                                                       : kJointCount + role - kScapulothoracicRole;
+  servos_[slot] = {
+      model.jnt_qposadr[joint],
+      model.jnt_dofadr[joint],
+      output,
+      {model.actuator_ctrladr[actuator]},
+      is_translation ? config.translation_stiffness_N_per_m : config.stiffness_N_m_per_rad[slot],
+      model.actuator_group[actuator]};
   // The first hinge of SC turns the clavicle in the thorax, the last of GH the humerus.
   if (role == 0) {
     thorax_body_ = model.body_parentid[model.jnt_bodyid[joint]];
@@ -186,9 +280,12 @@ void RhythmController::FindSensors(const mjModel& model, int instance) {
   }
 }
 
-JointRanges RhythmController::RangesOf(const mjModel& model) const noexcept {
+JointRanges RhythmController::RangesOf(const mjModel& model, Assembly assembly) const noexcept {
   JointRanges ranges = ShoulderRhythm::Unbounded();
   for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+    if (assembly == Assembly::kLoop && k / 3 == 1) {
+      continue;  // those servos turn the scapula in the thorax; AC has no range of its own
+    }
     const int joint = model.dof_jntid[servos_[k].dof_address];
     if (model.jnt_limited[joint] != 0) {
       ranges[k] = {model.jnt_range[2 * joint], model.jnt_range[2 * joint + 1]};
@@ -204,8 +301,9 @@ ArmCommand RhythmController::ReadCommand(const mjModel& model, const mjData& dat
 }
 
 ArmAngles RhythmController::Reached(const mjData& data) const noexcept {
-  return ArmAnglesFromRotation(glm::conjugate(BodyRotation(data, thorax_body_)) *
-                               BodyRotation(data, humerus_body_));
+  const Quaternion q_TH =
+      glm::conjugate(BodyRotation(data, thorax_body_)) * BodyRotation(data, humerus_body_);
+  return ArmAnglesFromRotation(side_ == Side::kRight ? q_TH : Mirrored(q_TH));
 }
 
 const RhythmController::Aim& RhythmController::AimFor(const mjModel& model,
@@ -216,14 +314,13 @@ const RhythmController::Aim& RhythmController::AimFor(const mjModel& model,
   }
   if (!IsNumber(command)) {
     const ArmAngles reached = Reached(data);
-    holding_ = {{reached.elevation_rad, reached.plane_rad}, {}, true};
+    holding_ = {{reached.elevation_rad, reached.plane_rad}, {}, {0, 0, 0}, true};
     for (std::size_t k = 0; k < kCoordinateCount; ++k) {
       holding_.target_rad[k] = data.qpos[servos_[k].qpos_address];
     }
     return holding_;
   }
-  solved_command_ = command;
-  solved_.target_rad = AnglesFromPose(rhythm_->SolvePose(command, &solved_.used));
+  SolveAim(command);
   return solved_;
 }
 
@@ -243,7 +340,7 @@ JointAngles RhythmController::TargetRates(const mjModel& model, const mjData& da
   const auto [elevation_rate, plane_rate, axial_rate] = command_rate;
   JointAngles rates{};
   if (elevation_rate != 0 || plane_rate != 0) {
-    const std::optional<AngleRates> angles = rhythm_->SolveAngleRates(command);
+    const std::optional<AngleRates> angles = rhythm_->rhythm().SolveAngleRates(command);
     for (std::size_t k = 0; angles && k < kCoordinateCount; ++k) {
       rates[k] = angles->by_elevation[k] * elevation_rate + angles->by_plane[k] * plane_rate;
     }
@@ -265,14 +362,18 @@ void RhythmController::Actuate(const mjModel& model, mjData& data) noexcept {
   if (FeedsForward(model) && !aim.holds) {
     rates = TargetRates(model, data, aim);
   }
-  for (std::size_t k = 0; k < kCoordinateCount; ++k) {
-    const Servo& servo = servos_[k];
-    const double error_rad =
-        aim.target_rad[k] + servo.trim.ReadFinite(model, data) - data.qpos[servo.qpos_address];
-    const double force_N_m =
-        servo.stiffness_N_m_per_rad * error_rad + model.dof_damping[servo.dof_address] * rates[k];
+  const auto drive = [&](const Servo& servo, double target, double rate) {
+    const double error =
+        target + servo.trim.ReadFinite(model, data) - data.qpos[servo.qpos_address];
+    const double force = servo.stiffness * error + model.dof_damping[servo.dof_address] * rate;
     data.actuator_force[servo.force_address] =
-        std::isfinite(force_N_m) && !aim.holds && !servo.IsDisabled(model) ? force_N_m : 0;
+        std::isfinite(force) && !aim.holds && !servo.IsDisabled(model) ? force : 0;
+  };
+  for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+    drive(servos_[k], aim.target_rad[k], rates[k]);
+  }
+  for (int i = 0; has_translations_ && i < 3; ++i) {
+    drive(servos_[kCoordinateCount + static_cast<std::size_t>(i)], aim.target_p_TS_m[i], 0);
   }
   if (!sensors_.empty() && (model.opt.disableflags & mjDSBL_SENSOR) == 0 &&
       !SensorsShow(data, aim)) {
@@ -317,8 +418,8 @@ double RhythmController::DistanceOf(const mjData& data, const Aim& aim) const no
   const double elevation_rad = commands_[0].Raw(data);
   const double plane_rad = commands_[1].Raw(data);
   return std::isnan(elevation_rad) || std::isnan(plane_rad)
-             ? rhythm_->DistanceOutside(aim.used.elevation_rad, aim.used.plane_rad)
-             : rhythm_->DistanceOutside(elevation_rad, plane_rad);
+             ? rhythm_->rhythm().DistanceOutside(aim.used.elevation_rad, aim.used.plane_rad)
+             : rhythm_->rhythm().DistanceOutside(elevation_rad, plane_rad);
 }
 
 bool RhythmController::SensorsShow(const mjData& data, const Aim& aim) const noexcept {

@@ -15,6 +15,9 @@
 /// last term makes up for where the rates are commanded. Damping belongs on the hinge, where MuJoCo
 /// integrates it implicitly.
 ///
+/// The servos tell the assembly (assembly.h): those of AC make a tree; those of the scapula on the
+/// thorax a loop, where three more may drive the scapula's place.
+///
 /// A command that is not a number is none: the targets are then where the joints are, and trims and
 /// rates count for nothing.
 ///
@@ -28,10 +31,11 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <string_view>
 #include <vector>
 
+#include "kinematics/assembled_rhythm.h"
 #include "kinematics/model_names.h"
-#include "kinematics/shoulder_rhythm.h"
 #include "tables/rhythm_config.h"
 
 namespace girdle {
@@ -71,8 +75,8 @@ class RhythmController {
     int dof_address = 0;
     int force_address = 0;
     Control trim;
-    double stiffness_N_m_per_rad = 0;
-    int group = 0;  ///< MuJoCo leaves it to a plugin to heed option/actuatorgroupdisable
+    double stiffness = 0;  ///< [N m/rad], of a slide [N/m]
+    int group = 0;         ///< MuJoCo leaves it to a plugin to heed option/actuatorgroupdisable
 
     [[nodiscard]] bool IsDisabled(const mjModel& model) const noexcept;
   };
@@ -89,13 +93,31 @@ class RhythmController {
   struct Aim {
     ArmCommand used;
     JointAngles target_rad;
-    bool holds = false;  ///< there is no command: the joints stay where they are
+    Vector3 target_p_TS_m;  ///< place of PAC, where that is driven
+    bool holds = false;     ///< there is no command: the joints stay where they are
   };
+
+  /// What a servo can be: a tree's nine coordinates, a loop's own three, the scapula's place.
+  static constexpr std::size_t kScapulothoracicRole = kCoordinateCount;
+  static constexpr std::size_t kTranslationRole = kScapulothoracicRole + 3;
+  static constexpr std::size_t kServoRoleCount = kTranslationRole + 3;
+  static constexpr std::array<std::string_view, kServoRoleCount> kServoRoles = [] {
+    std::array<std::string_view, kServoRoleCount> roles{};
+    std::copy(kCoordinateNames.begin(), kCoordinateNames.end(), roles.begin());
+    std::copy(kScapulothoracicNames.begin(), kScapulothoracicNames.end(),
+              roles.begin() + kScapulothoracicRole);
+    std::copy(kTranslationNames.begin(), kTranslationNames.end(), roles.begin() + kTranslationRole);
+    return roles;
+  }();
 
   void AddCommand(const mjModel& model, int actuator, std::size_t role);
   void AddServo(const mjModel& model, int actuator, std::size_t role, const RhythmConfig& config);
+  /// Which assembly the servos make; throws if they make none.
+  [[nodiscard]] Assembly CheckServos(const std::array<bool, kServoRoleCount>& has_servo);
+  void FindClavicle(const mjModel& model);
   void FindSensors(const mjModel& model, int instance);
-  [[nodiscard]] JointRanges RangesOf(const mjModel& model) const noexcept;
+  [[nodiscard]] JointRanges RangesOf(const mjModel& model, Assembly assembly) const noexcept;
+  void SolveAim(const ArmCommand& command) noexcept;
   [[nodiscard]] ArmCommand ReadCommand(const mjModel& model, const mjData& data) const noexcept;
   /// Valid until the next call.
   [[nodiscard]] const Aim& AimFor(const mjModel& model, const mjData& data) noexcept;
@@ -108,12 +130,17 @@ class RhythmController {
   [[nodiscard]] bool SensorsShow(const mjData& data, const Aim& aim) const noexcept;
 
   std::array<Control, kAllCommandCount> commands_{};
-  std::array<Servo, kCoordinateCount> servos_{};
+  /// The nine coordinates, then the scapula's place.
+  std::array<Servo, kCoordinateCount + 3> servos_{};
+  bool has_translations_ = false;
+  Side side_ = Side::kRight;
+  Vector3 p_TC_m_{0, 0, 0};  ///< clavicle in the thorax, taken to the right; for the place
+  Vector3 p_CS_m_{0, 0, 0};  ///< scapula on the clavicle, likewise
   std::vector<Sensor> sensors_;
   int thorax_body_ = 0;
   int humerus_body_ = 0;
   bool has_rates_ = false;
-  std::optional<ShoulderRhythm> rhythm_;  ///< set by the constructor
+  std::optional<AssembledRhythm> rhythm_;  ///< set by the constructor
 
   /// The last command solved and its aim. Not state: the same command always has the same aim. It
   /// spares the servos what the sensor has computed in the same step.

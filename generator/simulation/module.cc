@@ -54,7 +54,11 @@ std::string ConfigText(const ShoulderSimulation& simulation, const char* key) {
   return text == nullptr ? "" : text;
 }
 
+// What the model says of its rhythm; position servos say nothing and stand for the defaults.
 RhythmConfig ConfigOf(const ShoulderSimulation& simulation) {
+  if (!simulation.has_plugin()) {
+    return ParseRhythmConfig({});
+  }
   return ParseRhythmConfig({ConfigText(simulation, kInterpolationKey),
                             ConfigText(simulation, kClosureKey), ConfigText(simulation, kRangeKey),
                             ConfigText(simulation, kTableKey),
@@ -69,6 +73,9 @@ ShoulderRhythm RhythmOf(const ShoulderSimulation& simulation, const RhythmOverri
   }
   config.options.interpolation = override.interpolation.value_or(config.options.interpolation);
   config.options.closure = override.closure.value_or(config.options.closure);
+  if (!simulation.has_plugin() && override.table.empty()) {
+    config.table = BuiltInRhythmTable(DefaultTable(config.options.interpolation));
+  }
   if (const auto built_in = BuiltInTableFromName(override.table)) {
     config.table = BuiltInRhythmTable(*built_in);
   } else if (!override.table.empty()) {
@@ -81,8 +88,19 @@ ShoulderRhythm RhythmOf(const ShoulderSimulation& simulation, const RhythmOverri
   }
 }
 
+AssembledRhythm AssembledOf(const ShoulderSimulation& simulation, ShoulderRhythm rhythm) {
+  try {
+    return {std::move(rhythm), simulation.elements().assembly};
+  } catch (const std::invalid_argument& error) {
+    throw InputError(simulation.name() + ": the assembly loop: " + error.what());
+  }
+}
+
 // Refuses a model that moves otherwise than the user says.
 void ExpectRhythm(const ShoulderSimulation& simulation, const RhythmOverride& override) {
+  if (!simulation.has_plugin()) {
+    return;  // follows whatever it is given
+  }
   const ShoulderRhythm own = RhythmOf(simulation, {});
   const ShoulderRhythm wanted = RhythmOf(simulation, override);
   const auto refuse = [&](const std::string& what) {
@@ -108,28 +126,38 @@ std::string TableName(const ShoulderSimulation& simulation, const RhythmOverride
   if (!override.table.empty()) {
     return override.table;
   }
-  const std::string text = ConfigText(simulation, kTableKey);
+  const std::string text =
+      simulation.has_plugin() ? ConfigText(simulation, kTableKey) : std::string();
   if (text.empty()) {
-    return std::string(Name(DefaultTable(ConfigOf(simulation).options.interpolation)));
+    return std::string(Name(
+        DefaultTable(override.interpolation.value_or(ConfigOf(simulation).options.interpolation))));
   }
   return BuiltInTableFromName(text) ? text : "the model's own";
 }
 
 SimulationSummary Simulate(const std::string& model_path, const std::string& plugin,
                            const MotionRequest& request, const RhythmOverride& rhythm,
-                           const TextSink& trace, const ProgressSink& progress) {
+                           const TextSink& trace, const TextSink& controls,
+                           const ProgressSink& progress) {
   const Motion motion = RequestedMotion(request);
   const EngineWatch watch;
   LoadPlugin(plugin);
   ShoulderSimulation simulation(LoadModel(model_path), model_path);
   ExpectRhythm(simulation, rhythm);
-  const ShoulderRhythm own = RhythmOf(simulation, {});
+  if (request.side) {
+    simulation.Watch(*request.side);
+  }
+  const Assembly assembly = simulation.elements().assembly;
+  const AssembledRhythm own = AssembledOf(
+      simulation, RhythmOf(simulation, simulation.has_plugin() ? RhythmOverride{} : rhythm));
+  simulation.Follow(own);
   const auto steps = static_cast<long>(std::lround(motion.duration_s / simulation.timestep_s()));
   const auto command_at = [&](long step) {
     return ReplayableCommand(motion.command(static_cast<double>(step) * simulation.timestep_s()));
   };
   simulation.Start(command_at(0));
-  trace(TraceHeader());
+  trace(TraceHeader(assembly));
+  controls(ControlsHeader(simulation.TargetNames()));
   SimulationSummary summary;
   std::string row;
   for (long step = 0; step <= steps; ++step) {
@@ -142,9 +170,12 @@ SimulationSummary Simulate(const std::string& model_path, const std::string& plu
     row.clear();
     AppendTraceRow(row, state);
     trace(row);
+    row.clear();
+    AppendControlsRow(row, state.time_s, simulation.Targets());
+    controls(row);
     ++summary.rows;
     // The plugin's sensor does not say how much of an offset was left.
-    summary.clamped_rows += state.clamped || own.Solve(state.command).clamped ? 1 : 0;
+    summary.clamped_rows += state.clamped || own.rhythm().Solve(state.command).clamped ? 1 : 0;
     summary.worst_distance_deg =
         std::max(summary.worst_distance_deg, DegreesFromRadians(state.distance_rad));
     summary.duration_s = state.time_s;
@@ -155,17 +186,34 @@ SimulationSummary Simulate(const std::string& model_path, const std::string& plu
   return summary;
 }
 
+// What was verified: sides, assembly, what moves the joints.
+std::string KindOf(const ShoulderSimulation& simulation) {
+  const ShoulderElements& elements = simulation.elements();
+  std::string text;
+  for (const ShoulderElements& shoulder : simulation.shoulders()) {
+    text += (text.empty() ? "" : " and ") +
+            std::string(kSideNames[static_cast<std::size_t>(shoulder.side)]);
+  }
+  text += ", assembly " + std::string(kAssemblyNames[static_cast<std::size_t>(elements.assembly)]);
+  if (elements.assembly == Assembly::kLoop) {
+    text += ", the " + std::string(kLeadNames[static_cast<std::size_t>(elements.lead)]) + " leads";
+  }
+  return text + (simulation.has_plugin() ? ", plugin" : ", position servos");
+}
+
 VerifyResult Verify(const std::string& model_path, const std::string& plugin,
                     const RhythmOverride& override, bool json, const ProgressSink& progress) {
   const EngineWatch watch;
   LoadPlugin(plugin);
   ShoulderSimulation simulation(LoadModel(model_path), model_path);
-  const ShoulderRhythm rhythm = RhythmOf(simulation, override);
+  const AssembledRhythm rhythm = AssembledOf(simulation, RhythmOf(simulation, override));
+  simulation.Follow(rhythm);
   ResidualReport report = MeasureResiduals(simulation, rhythm, BuiltInAnatomy(), progress);
-  const RhythmOptions& options = rhythm.options();
+  const RhythmOptions& options = rhythm.rhythm().options();
   report.rhythm = "interpolation " + std::string(Name(options.interpolation)) + ", closure " +
                   std::string(Name(options.closure)) + ", range " +
                   std::string(Name(*options.range)) + ", table " + TableName(simulation, override);
+  report.kind = KindOf(simulation);
   return {json ? ReportAsJson(report) : ReportAsText(report), report.passed()};
 }
 

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "kinematics/model_names.h"
 #include "kinematics/shoulder_rhythm.h"
 
 namespace girdle {
@@ -27,10 +28,13 @@ struct MotionRequest {
   ArmCommand to;
   double duration_s = 0;
   std::string file;  ///< CSV; empty for the motion above
+  /// Shoulder of the trace; nothing for the model's first.
+  std::optional<Side> side;
 };
 
-/// What the user says of the rhythm. `verify` holds a model against it instead of against what the
-/// model says; `simulate` refuses a model that says otherwise.
+/// What the user says of the rhythm. Position servos know none: they follow what is said here, or
+/// the defaults. Of a model with the plugin: `verify` holds a model against it instead of against
+/// what the model says; `simulate` refuses a model that says otherwise.
 struct RhythmOverride {
   std::optional<Interpolation> interpolation;
   std::optional<Closure> closure;
@@ -61,7 +65,8 @@ struct SimulationModule {
                              const std::string& plugin);
   SimulationSummary (*simulate)(const std::string& model, const std::string& plugin,
                                 const MotionRequest& request, const RhythmOverride& rhythm,
-                                const TextSink& trace, const ProgressSink& progress);
+                                const TextSink& trace, const TextSink& controls,
+                                const ProgressSink& progress);
   VerifyResult (*verify)(const std::string& model, const std::string& plugin,
                          const RhythmOverride& rhythm, bool json, const ProgressSink& progress);
 };

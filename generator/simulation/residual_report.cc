@@ -40,8 +40,8 @@ std::string ReportAsText(const ResidualReport& report) {
       widths[i] = std::max(widths[i], row[i].size());
     }
   }
-  std::string text = "model   " + report.model + "\nrhythm  " + report.rhythm +
-                     "\nengine  MuJoCo " + report.engine + "\n\n";
+  std::string text = "model   " + report.model + "\nkind    " + report.kind + "\nrhythm  " +
+                     report.rhythm + "\nengine  MuJoCo " + report.engine + "\n\n";
   for (const Row& row : rows) {
     for (std::size_t i = 0; i < kColumns; ++i) {
       const std::string padding(widths[i] - row[i].size(), ' ');
@@ -63,6 +63,7 @@ std::string ReportAsText(const ResidualReport& report) {
 std::string ReportAsJson(const ResidualReport& report) {
   nlohmann::ordered_json json;
   json["model"] = report.model;
+  json["kind"] = report.kind;
   json["rhythm"] = report.rhythm;
   json["mujoco"] = report.engine;
   json["passed"] = report.passed();

@@ -13,9 +13,9 @@ namespace girdle {
 /// Returns the report as a table for people, one line a residual, the verdict last.
 [[nodiscard]] std::string ReportAsText(const ResidualReport& report);
 
-/// Returns the report as JSON: `model`, `rhythm`, `mujoco`, `passed` and the array `residuals` of
-/// `group`, `item`, `value`, `unit`, `tolerance` (null where the value is only stated), `passed`,
-/// `where`. A value that is not finite is null.
+/// Returns the report as JSON: `model`, `kind`, `rhythm`, `mujoco`, `passed` and the array
+/// `residuals` of `group`, `item`, `value`, `unit`, `tolerance` (null where the value is only
+/// stated), `passed`, `where`. A value that is not finite is null.
 [[nodiscard]] std::string ReportAsJson(const ResidualReport& report);
 
 }  // namespace girdle

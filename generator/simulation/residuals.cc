@@ -21,6 +21,11 @@ namespace {
 
 constexpr double kMillimetersPerMeter = 1000;
 
+// Of a loop, whose AC joint a soft constraint holds: at rest, and while the arm goes up and down
+// once a second.
+constexpr double kLoopAtRest_mm = 0.05;
+constexpr double kLoopMoving_mm = 0.1;
+
 // Tolerances. Rounding in double precision leaves 1e-13 of a radian or a meter at most; 1e-6 of a
 // degree or a millimeter is far above that and far below anything that can be measured.
 constexpr double kExact_deg = 1e-6;
@@ -32,12 +37,17 @@ constexpr double kSettledTracking_deg = 0.01;
 // Lag of 20 ms (joint_dynamics.h) at the fastest joint speed of the standard motions, about 80
 // deg/s, and some room.
 constexpr double kMovingTracking_deg = 3;
+// A joint that still trembles at rest is held by servos or constraints that fight.
+constexpr double kSpeedAtRest_rad_per_s = 1e-6;
 // Of the published tables themselves (2.03 deg rms over rows 30 to 120, 1.7 to 2.5 each).
 constexpr double kScapulothoracicRms_deg = 2.1;
 constexpr double kScapulothoracicWorst_deg = 2.6;
 // Of the fitted ellipsoid: the scapula's medial border glides within this of it.
 constexpr double kGlidingRms_mm = 5;
 constexpr double kGlidingWorst_mm = 17;
+// It was fitted to where SC and AC take the scapula; where ST does is up to 2.5 deg, 6 mm at TS,
+// away.
+constexpr double kLoopGlidingRms_mm = 6.5;
 
 // Duration of a standard motion and of the rest after it.
 constexpr double kMoving_s = 3;
@@ -121,9 +131,13 @@ ArmAngles ArmFromLandmarks(const ShoulderState& state) {
 
 class ResidualMeter {
  public:
-  ResidualMeter(ShoulderSimulation& simulation, const ShoulderRhythm& rhythm,
+  ResidualMeter(ShoulderSimulation& simulation, const AssembledRhythm& rhythm,
                 const Anatomy& anatomy)
-      : simulation_(simulation), rhythm_(rhythm), anatomy_(anatomy) {}
+      : simulation_(simulation),
+        assembled_(rhythm),
+        rhythm_(rhythm.rhythm()),
+        is_loop_(rhythm.assembly() == Assembly::kLoop),
+        anatomy_(anatomy) {}
 
   void RunMotion(const Motion& motion, const ProgressSink& progress) {
     const double timestep_s = simulation_.timestep_s();
@@ -134,8 +148,14 @@ class ResidualMeter {
     for (int step = 0; step < moving_steps + settling_steps; ++step) {
       const double time_s = step * timestep_s;
       const ShoulderState state =
-          simulation_.Step(motion.command(time_s), RateOf(motion, time_s, timestep_s));
+          Canonical(simulation_.Step(motion.command(time_s), RateOf(motion, time_s, timestep_s)));
       AddJointGaps(state, motion.name);
+      if (step >= settled_from) {
+        speed_at_rest_.Add(state.fastest_rad_per_s, motion.name, state.command);
+      }
+      if (step < moving_steps || step >= settled_from) {
+        AddConnect(state, motion.name, step < moving_steps ? connect_moving_ : connect_at_rest_);
+      }
       AddTracking(state, motion.name, step < moving_steps ? moving_ : settled_,
                   step < moving_steps || step >= settled_from);
       progress(static_cast<double>(step) / (moving_steps + settling_steps));
@@ -147,6 +167,20 @@ class ResidualMeter {
     }
   }
 
+  // Up and down without a rest: only whether the joints hold.
+  void RunCycles(const Motion& motion) {
+    const double timestep_s = simulation_.timestep_s();
+    const auto steps = static_cast<int>(std::lround(motion.duration_s / timestep_s));
+    simulation_.Start(motion.command(0));
+    for (int step = 0; step < steps; ++step) {
+      const double time_s = step * timestep_s;
+      const ShoulderState state =
+          Canonical(simulation_.Step(motion.command(time_s), RateOf(motion, time_s, timestep_s)));
+      AddJointGaps(state, motion.name);
+      AddConnect(state, motion.name, connect_cycling_);
+    }
+  }
+
   void VisitTable() {
     const RhythmTable& table = rhythm_.table();
     for (std::size_t plane = 0; plane < table.planes_rad().size(); ++plane) {
@@ -154,6 +188,9 @@ class ResidualMeter {
         const ArmCommand command{table.elevations_rad()[elevation], table.planes_rad()[plane], 0};
         const ShoulderState state = VisitPose(command, "table");
         AddScapulothoracic(state, table.position(plane, elevation), command);
+        if (is_loop_) {
+          AddEmergent(Settled(command), table.position(plane, elevation), command);
+        }
       }
     }
   }
@@ -174,12 +211,9 @@ class ResidualMeter {
          values_rad(domain.lowest_elevation_rad, domain.highest_elevation_rad)) {
       for (const double plane_rad : values_rad(domain.first_plane_rad, domain.last_plane_rad)) {
         const ArmCommand command = rhythm_.Solve({elevation_rad, plane_rad}).used;
-        simulation_.Start(command);
-        constexpr int kSteps = 5;
-        for (int step = 0; step < kSteps; ++step) {
-          simulation_.Step(command);
-        }
-        AddClosure(simulation_.Observe(command), rhythm_.SolvePose(command), "grid");
+        const ShoulderState state = Settled(command);
+        AddConnect(state, "grid", connect_posed_);
+        AddClosure(state, assembled_.SolvePose(command), "grid");
       }
     }
   }
@@ -188,34 +222,31 @@ class ResidualMeter {
     const mjModel& model = simulation_.model();
     const ShoulderElements& elements = simulation_.elements();
     for (int key = 0; key < model.nkey; ++key) {
-      const mjtNum* controls = model.key_ctrl + key * model.nu;
       const char* name = model.names + model.name_keyadr[key];
-      ArmCommand command{controls[elements.command_controls[0]],
-                         controls[elements.command_controls[1]],
-                         controls[elements.command_controls[2]]};
-      // A keyframe that has a name of ours has to be what the name says.
-      for (const NamedPose& pose : kKeyframes) {
-        if (pose.name == name && pose.name != kRestName) {
-          command = {RadiansFromDegrees(pose.elevation_deg), RadiansFromDegrees(pose.plane_deg)};
-        }
+      // A keyframe that has a name of ours has to be what the name says, another one what its
+      // commands say.
+      const auto* named = std::find_if(kKeyframes.begin(), kKeyframes.end(),
+                                       [name](const NamedPose& pose) { return pose.name == name; });
+      const bool is_ours = named != kKeyframes.end();
+      const mjtNum* controls = model.key_ctrl + key * model.nu;
+      ArmCommand command;
+      if (is_ours && named->name != kRestName) {
+        command = {RadiansFromDegrees(named->elevation_deg), RadiansFromDegrees(named->plane_deg)};
+      } else if (elements.has_plugin()) {
+        command = {controls[elements.command_controls[0]], controls[elements.command_controls[1]],
+                   controls[elements.command_controls[2]]};
+      } else if (!is_ours) {
+        continue;  // position servos do not say what was meant
       }
-      const JointAngles target_rad = AnglesFromPose(rhythm_.SolvePose(command));
-      const bool is_relaxed = name == kRelaxedName;
-      const JointAngles wanted_rad =
-          is_relaxed ? AnglesFromPose(HangingIn(RelaxedStanding(), rhythm_)) : target_rad;
-      for (std::size_t k = 0; k < kCoordinateCount; ++k) {
-        const double qpos_rad = model.key_qpos[key * model.nq + elements.qpos[k]];
-        const double held_rad = target_rad[k] + controls[elements.trim_controls[k]];
-        keyframes_.Add(DegreesFromRadians(AngleDifference(qpos_rad, wanted_rad[k])), name, command);
-        keyframes_.Add(DegreesFromRadians(AngleDifference(qpos_rad, held_rad)), name, command);
-      }
+      AddKeyframe(name, command, controls, model.key_qpos + key * model.nq);
     }
   }
 
   // The bones themselves: every landmark where the anatomy has it on its bone.
   void VisitBones() {
-    const ShoulderState state = simulation_.ObserveAtTargets(
-        {rhythm_.table().elevations_rad().front(), rhythm_.table().planes_rad().front(), 0});
+    const ShoulderState state = Canonical(simulation_.ObserveAtTargets(
+        {rhythm_.table().elevations_rad().front(), rhythm_.table().planes_rad().front(), 0}));
+    const bool has_both = simulation_.shoulders().size() > 1;
     const std::array<Vector3, kSegmentCount> origins_m = {
         state.landmark_m(Landmark::kIJ), state.child_site_m(0), state.child_site_m(1),
         state.child_site_m(2)};
@@ -223,7 +254,10 @@ class ResidualMeter {
       const auto segment = static_cast<std::size_t>(kLandmarks[i].segment);
       const Vector3 on_bone_m =
           glm::conjugate(state.q_WB[segment]) * (state.site_m[i] - origins_m[segment]);
-      bones_.Add(kMillimetersPerMeter * glm::distance(on_bone_m, anatomy_.landmarks_m[i]),
+      const Vector3& own_m = anatomy_.landmarks_m[i];
+      bones_.Add(kMillimetersPerMeter * glm::distance(on_bone_m, has_both && !kLandmarks[i].sided
+                                                                     ? InMedianPlane(own_m)
+                                                                     : own_m),
                  std::string(kLandmarks[i].name), state.command);
     }
     const mjModel& model = simulation_.model();
@@ -232,11 +266,14 @@ class ResidualMeter {
       const SegmentInertia& inertia = anatomy_.segments[i];
       const std::string name(kSegmentNames[i]);
       masses_.Add(model.body_mass[body] - inertia.mass_kg, name, state.command);
-      const mjtNum* center_m = model.body_ipos + 3 * body;
-      centers_.Add(
-          kMillimetersPerMeter * glm::distance(Vector3(center_m[0], center_m[1], center_m[2]),
-                                               inertia.center_of_mass_m),
-          name, state.command);
+      const mjtNum* p_m = model.body_ipos + 3 * body;
+      const Vector3 center_m{p_m[0], p_m[1], p_m[2]};
+      const bool is_left = simulation_.elements().side == Side::kLeft;
+      centers_.Add(kMillimetersPerMeter *
+                       glm::distance(is_left ? Mirrored(center_m) : center_m,
+                                     has_both && i == 0 ? InMedianPlane(inertia.center_of_mass_m)
+                                                        : inertia.center_of_mass_m),
+                   name, state.command);
       const mjtNum* moments_kg_m2 = model.body_inertia + 3 * body;
       inertias_.Add(glm::distance(Vector3(moments_kg_m2[0], moments_kg_m2[1], moments_kg_m2[2]),
                                   inertia.inertia_kg_m2),
@@ -253,7 +290,7 @@ class ResidualMeter {
             extremes[joint].Worst(group, std::string(kJointNames[joint]), unit, tolerance));
       }
     };
-    add_joints("joint constraint", gaps_, "mm", kExact_mm);
+    AddJointConstraints(lines);
     lines.push_back(bones_.Worst("bones", "landmarks", "mm", kExact_mm));
     lines.push_back(masses_.Worst("bones", "masses", "kg", kExactMass));
     lines.push_back(centers_.Worst("bones", "centres of mass", "mm", kExact_mm));
@@ -268,8 +305,21 @@ class ResidualMeter {
     if (!keyframes_.empty()) {
       lines.push_back(keyframes_.Worst("kinematic consistency", "keyframes", "deg", kExact_deg));
     }
-    add_joints("tracking settled", settled_, "deg", kSettledTracking_deg);
-    add_joints("tracking moving", moving_, "deg", kMovingTracking_deg);
+    if (!keyframe_places_.empty()) {
+      lines.push_back(keyframe_places_.Worst("kinematic consistency", "keyframes, scapula's place",
+                                             "mm", kExact_mm));
+    }
+    const auto driven = DrivenJoints(assembled_.assembly());
+    for (std::size_t joint = 0; joint < kJointCount; ++joint) {
+      lines.push_back(settled_[joint].Worst("tracking settled", std::string(driven[joint]), "deg",
+                                            kSettledTracking_deg));
+    }
+    lines.push_back(
+        speed_at_rest_.Worst("tracking settled", "fastest joint", "rad/s", kSpeedAtRest_rad_per_s));
+    for (std::size_t joint = 0; joint < kJointCount; ++joint) {
+      lines.push_back(moving_[joint].Worst("tracking moving", std::string(driven[joint]), "deg",
+                                           kMovingTracking_deg));
+    }
     lines.push_back(closure_elevation_own_.Worst("closure", "elevation against the table's own",
                                                  "deg", kExact_deg));
     lines.push_back(
@@ -289,13 +339,25 @@ class ResidualMeter {
       lines.push_back(distance_.Worst("range", "farthest from measured data", "deg", std::nullopt));
     }
     if (!scapulothoracic_.empty()) {
-      lines.push_back(scapulothoracic_.RootMeanSquare("scapulothoracic", "published ST, rms", "deg",
-                                                      kScapulothoracicRms_deg));
+      // A loop is driven there.
+      lines.push_back(
+          scapulothoracic_.RootMeanSquare("scapulothoracic", "published ST, rms", "deg",
+                                          is_loop_ ? kExact_deg : kScapulothoracicRms_deg));
       lines.push_back(scapulothoracic_.Worst("scapulothoracic", "published ST, worst", "deg",
-                                             kScapulothoracicWorst_deg));
+                                             is_loop_ ? kExact_deg : kScapulothoracicWorst_deg));
+    }
+    if (is_loop_) {
+      lines.push_back(emergent_.RootMeanSquare("emergent AC", "measured AC, rms", "deg",
+                                               kScapulothoracicRms_deg));
+      lines.push_back(
+          emergent_.Worst("emergent AC", "measured AC, worst", "deg", kScapulothoracicWorst_deg));
+      for (std::size_t i = 0; i < emergent_angles_.size(); ++i) {
+        lines.push_back(emergent_angles_[i].Worst(
+            "emergent AC", std::string(kCoordinateNames[3 + i]), "deg", std::nullopt));
+      }
     }
     lines.push_back(gliding_.RootMeanSquare("scapulothoracic", "TS, AI to ellipsoid, rms", "mm",
-                                            kGlidingRms_mm));
+                                            is_loop_ ? kLoopGlidingRms_mm : kGlidingRms_mm));
     lines.push_back(
         gliding_.Worst("scapulothoracic", "TS, AI to ellipsoid, worst", "mm", kGlidingWorst_mm));
     if (!modelled_gliding_.empty()) {
@@ -306,6 +368,105 @@ class ResidualMeter {
   }
 
  private:
+  [[nodiscard]] ShoulderState Canonical(const ShoulderState& state) const {
+    return simulation_.elements().side == Side::kLeft ? MirroredToRight(state) : state;
+  }
+
+  // At a command's targets, after some steps.
+  ShoulderState Settled(const ArmCommand& command) {
+    simulation_.Start(command);
+    constexpr int kSteps = 5;
+    for (int step = 0; step < kSteps; ++step) {
+      simulation_.Step(command);
+    }
+    return Canonical(simulation_.Observe(command));
+  }
+
+  void AddKeyframe(const char* name, const ArmCommand& command, const mjtNum* controls,
+                   const mjtNum* qpos) {
+    const ShoulderElements& elements = simulation_.elements();
+    const ShoulderPose target = assembled_.SolvePose(command);
+    const ShoulderPose wanted =
+        name == kRelaxedName ? HangingIn(RelaxedStanding(), rhythm_) : target;
+    const JointAngles target_rad = DrivenAngles(assembled_.assembly(), target);
+    const JointAngles wanted_rad = DrivenAngles(assembled_.assembly(), wanted);
+    for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+      const double qpos_rad = qpos[elements.qpos[k]];
+      keyframes_.Add(DegreesFromRadians(AngleDifference(qpos_rad, wanted_rad[k])), name, command);
+      if (elements.joint_controls[k] >= 0) {
+        const double held_rad =
+            controls[elements.joint_controls[k]] + (elements.has_plugin() ? target_rad[k] : 0);
+        keyframes_.Add(DegreesFromRadians(AngleDifference(qpos_rad, held_rad)), name, command);
+      }
+    }
+    for (int i = 0; is_loop_ && i < 3; ++i) {
+      const auto axis = static_cast<std::size_t>(i);
+      const double place_m = qpos[elements.place_qpos[axis]];
+      keyframe_places_.Add(kMillimetersPerMeter * (place_m - PlaceOfScapula(wanted)[i]), name,
+                           command);
+      if (elements.place_controls[axis] >= 0) {
+        const double held_m = controls[elements.place_controls[axis]] +
+                              (elements.has_plugin() ? PlaceOfScapula(target)[i] : 0);
+        keyframe_places_.Add(kMillimetersPerMeter * (place_m - held_m), name, command);
+      }
+    }
+  }
+
+  // PAC in the thorax frame [m] where the clavicle takes it.
+  [[nodiscard]] Vector3 PlaceOfScapula(const ShoulderPose& pose) const {
+    return anatomy_.landmark_m(Landmark::kSC) + pose.q_TC * anatomy_.landmark_m(Landmark::kPAC);
+  }
+
+  // A tree's joints hold by construction; a loop's AC is held by the simulator.
+  void AddJointConstraints(std::vector<Residual>& lines) const {
+    const char* const group = "joint constraint";
+    for (std::size_t joint = 0; joint < kJointCount; ++joint) {
+      if (!is_loop_ || joint != 1) {
+        lines.push_back(
+            gaps_[joint].Worst(group, std::string(kJointNames[joint]), "mm", kExact_mm));
+        continue;
+      }
+      lines.push_back(connect_at_rest_.gap_mm.Worst(group, "AC at rest", "mm", kLoopAtRest_mm));
+      lines.push_back(
+          connect_posed_.gap_mm.Worst(group, "AC at the worst pose", "mm", kLoopAtRest_mm));
+      lines.push_back(connect_moving_.gap_mm.Worst(group, "AC moving", "mm", kLoopMoving_mm));
+      lines.push_back(connect_cycling_.gap_mm.Worst(group, "AC at 1 Hz", "mm", kLoopMoving_mm));
+      lines.push_back(connect_at_rest_.force_N.Worst(group, "AC force at rest", "N", std::nullopt));
+      lines.push_back(
+          connect_posed_.force_N.Worst(group, "AC force at the worst pose", "N", std::nullopt));
+      lines.push_back(connect_cycling_.force_N.Worst(group, "AC force at 1 Hz", "N", std::nullopt));
+    }
+  }
+
+  // How a loop's AC joint holds.
+  struct ConnectExtremes {
+    Extreme gap_mm;
+    Extreme force_N;
+  };
+
+  void AddConnect(const ShoulderState& state, std::string_view motion, ConnectExtremes& extremes) {
+    extremes.gap_mm.Add(kMillimetersPerMeter *
+                            glm::distance(state.landmark_m(Landmark::kPAC), state.child_site_m(1)),
+                        motion, state.command);
+    extremes.force_N.Add(state.connect_force_N, motion, state.command);
+  }
+
+  // What AC is where SC and ST are driven, against what was measured.
+  void AddEmergent(const ShoulderState& state, const RhythmPosition& position,
+                   const ArmCommand& command) {
+    const Quaternion q_CS =
+        glm::conjugate(state.rotation(Segment::kClavicle)) * state.rotation(Segment::kScapula);
+    const Quaternion measured_q_CS = PoseFromAngles(position.angles_rad).q_CS;
+    emergent_.Add(DegreesFromRadians(AngleBetween(q_CS, measured_q_CS)), "table", command);
+    const Vector3 angles_rad = EulerFromQuaternion(kJointSequences[1], q_CS);
+    for (int i = 0; i < 3; ++i) {
+      const auto axis = static_cast<std::size_t>(i);
+      emergent_angles_[axis].Add(
+          DegreesFromRadians(AngleDifference(angles_rad[i], position.angles_rad[3 + axis])),
+          "table", command);
+    }
+  }
+
   // Joint constraint: distance of the two sites that meet in each joint.
   void AddJointGaps(const ShoulderState& state, std::string_view motion) {
     const std::array<Landmark, kJointCount> parents = {Landmark::kSC, Landmark::kPAC,
@@ -330,8 +491,8 @@ class ResidualMeter {
   }
 
   ShoulderState VisitPose(const ArmCommand& command, std::string_view motion) {
-    const ShoulderState state = simulation_.ObserveAtTargets(command);
-    const ShoulderPose pose = rhythm_.Solve(command).pose;
+    const ShoulderState state = Canonical(simulation_.ObserveAtTargets(command));
+    const ShoulderPose pose = assembled_.SolvePose(command);
     AddJointGaps(state, motion);
     AddRotations(state, pose, motion);
     AddLandmarkFrames(state, pose, motion);
@@ -416,9 +577,17 @@ class ResidualMeter {
   }
 
   ShoulderSimulation& simulation_;
+  const AssembledRhythm& assembled_;
   const ShoulderRhythm& rhythm_;
+  bool is_loop_;
   const Anatomy& anatomy_;
   JointExtremes gaps_;
+  ConnectExtremes connect_at_rest_;
+  ConnectExtremes connect_posed_;
+  ConnectExtremes connect_moving_;
+  ConnectExtremes connect_cycling_;
+  Extreme emergent_;
+  std::array<Extreme, 3> emergent_angles_;
   Extreme bones_;
   Extreme masses_;
   Extreme centers_;
@@ -428,7 +597,9 @@ class ResidualMeter {
   Extreme scapula_frame_;
   Extreme humerus_frame_;
   Extreme keyframes_;
+  Extreme keyframe_places_;
   JointExtremes settled_;
+  Extreme speed_at_rest_;
   JointExtremes moving_;
   Extreme closure_elevation_own_;
   Extreme closure_plane_own_;
@@ -457,6 +628,50 @@ std::vector<Motion> StandardMotions(const ArmRectangle& domain) {
               {level_rad, domain.last_plane_rad}, kMoving_s)};
 }
 
+// Over the table's elevations and planes and back, once a second.
+std::vector<Motion> Cycles(const RhythmTable& table) {
+  constexpr double kDuration_s = 2;
+  const auto between = [](double from, double to, double time_s) {
+    return from + (to - from) * (1 - std::cos(2 * kPi * time_s)) / 2;
+  };
+  const double lowest_rad = table.elevations_rad().front();
+  const double highest_rad = table.elevations_rad().back();
+  std::vector<Motion> cycles;
+  for (const double plane_rad : table.planes_rad()) {
+    cycles.push_back({"1 Hz", kDuration_s, [=](double time_s) {
+                        return ArmCommand{between(lowest_rad, highest_rad, time_s), plane_rad};
+                      }});
+  }
+  for (const double elevation_rad : {RadiansFromDegrees(60), RadiansFromDegrees(100)}) {
+    cycles.push_back({"1 Hz", kDuration_s, [=, &table](double time_s) {
+                        return ArmCommand{
+                            elevation_rad,
+                            between(table.planes_rad().front(), table.planes_rad().back(), time_s)};
+                      }});
+  }
+  return cycles;
+}
+
+std::vector<Residual> MeasureShoulder(ShoulderSimulation& simulation, const AssembledRhythm& rhythm,
+                                      const Anatomy& anatomy, const ProgressSink& progress) {
+  ResidualMeter meter(simulation, rhythm, anatomy);
+  const std::vector<Motion> motions = StandardMotions(rhythm.rhythm().domain());
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    const double share = 1.0 / static_cast<double>(motions.size());
+    meter.RunMotion(motions[i], [&progress, i, share](double done) {
+      progress(share * (static_cast<double>(i) + done));
+    });
+  }
+  for (const Motion& motion : Cycles(rhythm.rhythm().table())) {
+    meter.RunCycles(motion);
+  }
+  meter.VisitTable();
+  meter.VisitGrid();
+  meter.VisitKeyframes();
+  meter.VisitBones();
+  return meter.Report();
+}
+
 }  // namespace
 
 bool ResidualReport::passed() const noexcept {
@@ -464,21 +679,25 @@ bool ResidualReport::passed() const noexcept {
                      [](const Residual& residual) { return residual.passed(); });
 }
 
-ResidualReport MeasureResiduals(ShoulderSimulation& simulation, const ShoulderRhythm& rhythm,
+ResidualReport MeasureResiduals(ShoulderSimulation& simulation, const AssembledRhythm& rhythm,
                                 const Anatomy& anatomy, const ProgressSink& progress) {
-  ResidualMeter meter(simulation, rhythm, anatomy);
-  const std::vector<Motion> motions = StandardMotions(rhythm.domain());
-  for (std::size_t i = 0; i < motions.size(); ++i) {
-    const double share = 1.0 / static_cast<double>(motions.size());
-    meter.RunMotion(motions[i], [&progress, i, share](double done) {
-      progress(share * (static_cast<double>(i) + done));
-    });
+  ResidualReport report{simulation.name(), "", "", mj_versionString(), {}};
+  const std::size_t sides = simulation.shoulders().size();
+  for (std::size_t i = 0; i < sides; ++i) {
+    const Side side = simulation.shoulders()[i].side;
+    simulation.Watch(side);
+    std::vector<Residual> lines =
+        MeasureShoulder(simulation, rhythm, anatomy, [&progress, i, sides](double done) {
+          progress((static_cast<double>(i) + done) / static_cast<double>(sides));
+        });
+    for (Residual& line : lines) {
+      if (sides > 1) {
+        line.item += ", " + std::string(kSideNames[static_cast<std::size_t>(side)]);
+      }
+      report.residuals.push_back(std::move(line));
+    }
   }
-  meter.VisitTable();
-  meter.VisitGrid();
-  meter.VisitKeyframes();
-  meter.VisitBones();
-  return {simulation.name(), "", mj_versionString(), meter.Report()};
+  return report;
 }
 
 // The nearest point x of the surface has p - x = l grad/2, i.e. x_i = r_i^2 p_i / (l + r_i^2) for

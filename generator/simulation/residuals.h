@@ -35,6 +35,7 @@ struct Residual {
 
 struct ResidualReport {
   std::string model;   ///< path
+  std::string kind;    ///< sides, assembly, what moves the joints
   std::string rhythm;  ///< what the model was held against: interpolation, closure, table
   std::string engine;  ///< MuJoCo's version
   std::vector<Residual> residuals;
@@ -42,11 +43,11 @@ struct ResidualReport {
   [[nodiscard]] bool passed() const noexcept;
 };
 
-/// Runs the standard motions (abduction, scapular plane, flexion, protraction at 90) and visits
-/// every position of the rhythm's table, and returns the report. Throws InputError where MuJoCo
-/// warns.
+/// Runs the standard motions (abduction, scapular plane, flexion, protraction at 90, and up and
+/// down once a second) with every shoulder of the model and visits every position of the rhythm's
+/// table, and returns the report. Throws InputError where MuJoCo warns.
 [[nodiscard]] ResidualReport MeasureResiduals(ShoulderSimulation& simulation,
-                                              const ShoulderRhythm& rhythm, const Anatomy& anatomy,
+                                              const AssembledRhythm& rhythm, const Anatomy& anatomy,
                                               const ProgressSink& progress);
 
 /// Returns the signed distance [m] of a point from an ellipsoid's surface, positive outside.

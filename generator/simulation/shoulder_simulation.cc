@@ -4,6 +4,7 @@
 #include "simulation/shoulder_simulation.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "tables/input_error.h"
@@ -17,29 +18,143 @@ namespace {
 constexpr double kLongestTimestep_s = 0.01;
 constexpr double kShortestTimestep_s = 1e-6;
 
-int FindInstance(const mjModel& model, const std::string& model_name) {
+// Whether any instance of the plugin is in the model.
+bool HasInstance(const mjModel& model) {
   int slot = -1;
-  mjp_getPlugin(kPluginName, &slot);
-  for (int instance = 0; instance < model.nplugin; ++instance) {
-    if (model.plugin[instance] == slot) {
-      return instance;
-    }
-  }
-  throw InputError(model_name + ": has no instance of the plugin " + kPluginName +
-                   ". Make a model that has one with girdle generate");
+  return mjp_getPlugin(kPluginName, &slot) != nullptr &&
+         std::find(model.plugin, model.plugin + model.nplugin, slot) !=
+             model.plugin + model.nplugin;
 }
 
-// Of the hinges of the right shoulder.
-JointRanges RangesOf(const mjModel& model) {
+// Finds the elements of one side by their names.
+class ElementFinder {
+ public:
+  ElementFinder(const mjModel& model, const std::string& model_name, Side side)
+      : model_(model), model_name_(model_name), side_(side) {}
+
+  // Id, or -1.
+  [[nodiscard]] int Look(mjtObj type, std::string_view stem) const {
+    return mj_name2id(&model_, type, SidedName(stem, side_).c_str());
+  }
+
+  [[nodiscard]] int Find(mjtObj type, const char* kind, std::string_view stem,
+                         bool sided = true) const {
+    const std::string name = sided ? SidedName(stem, side_) : std::string(stem);
+    const int id = mj_name2id(&model_, type, name.c_str());
+    if (id < 0) {
+      throw InputError(model_name_ + ": has no " + kind + " \"" + name +
+                       "\". Restore it, or make the model anew with girdle generate");
+    }
+    return id;
+  }
+
+  [[nodiscard]] ShoulderElements FindAll() const {
+    ShoulderElements elements;
+    elements.side = side_;
+    elements.assembly =
+        Look(mjOBJ_JOINT, kScapulothoracicNames[0]) < 0 ? Assembly::kTree : Assembly::kLoop;
+    elements.lead =
+        Look(mjOBJ_ACTUATOR, kTranslationNames[0]) < 0 ? Lead::kClavicle : Lead::kScapula;
+    const auto coordinates = DrivenCoordinates(elements.assembly);
+    const bool has_plugin = HasInstance(model_);
+    if (!has_plugin && Look(mjOBJ_ACTUATOR, kCoordinateNames[2]) < 0) {
+      throw InputError(model_name_ + ": has no instance of the plugin " + kPluginName +
+                       ". Make a model that has one with girdle generate");
+    }
+    if (has_plugin) {
+      FindCommands(elements);
+    }
+    for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+      const bool follows = !has_plugin && elements.lead == Lead::kScapula && k < 2;
+      elements.joint_controls[k] = follows ? -1 : Control(coordinates[k]);
+      elements.qpos[k] = model_.jnt_qposadr[Find(mjOBJ_JOINT, "joint", coordinates[k])];
+    }
+    if (elements.assembly == Assembly::kLoop) {
+      FindLoop(elements);
+    }
+    for (std::size_t i = 0; i < kSegmentCount; ++i) {
+      const bool sided = static_cast<Segment>(i) != Segment::kThorax;
+      elements.bodies[i] = Find(mjOBJ_BODY, "body", kSegmentNames[i], sided);
+    }
+    for (std::size_t i = 0; i < kSiteCount; ++i) {
+      const bool sided = i >= kLandmarkCount || kLandmarks[i].sided;
+      elements.sites[i] = Find(mjOBJ_SITE, "site", SiteStem(i), sided);
+    }
+    if (has_plugin) {
+      FindSensor(elements);
+    }
+    return elements;
+  }
+
+ private:
+  [[nodiscard]] int Control(std::string_view stem) const {
+    return model_.actuator_ctrladr[Find(mjOBJ_ACTUATOR, "actuator", stem)];
+  }
+
+  void FindCommands(ShoulderElements& elements) const {
+    for (std::size_t i = 0; i < kCommandCount; ++i) {
+      elements.command_controls[i] = Control(kCommandNames[i]);
+    }
+    elements.instance =
+        model_.actuator_plugin[Find(mjOBJ_ACTUATOR, "actuator", kCommandNames.front())];
+    if (elements.instance < 0) {
+      throw InputError(model_name_ + ": actuator \"" + SidedName(kCommandNames.front(), side_) +
+                       "\" is not one of the plugin " + kPluginName +
+                       ". Make the model anew with girdle generate");
+    }
+    const auto find_optional = [this](std::string_view stem) {
+      const int id = Look(mjOBJ_ACTUATOR, stem);
+      return id < 0 ? -1 : model_.actuator_ctrladr[id];
+    };
+    std::transform(kOffsetNames.begin(), kOffsetNames.end(), elements.offset_controls.begin(),
+                   find_optional);
+    std::transform(kRateNames.begin(), kRateNames.end(), elements.rate_controls.begin(),
+                   find_optional);
+  }
+
+  void FindLoop(ShoulderElements& elements) const {
+    for (std::size_t i = 0; i < kTranslationNames.size(); ++i) {
+      elements.place_qpos[i] = model_.jnt_qposadr[Find(mjOBJ_JOINT, "joint", kTranslationNames[i])];
+      elements.place_controls[i] =
+          elements.lead == Lead::kScapula ? Control(kTranslationNames[i]) : -1;
+    }
+    elements.connect = Find(mjOBJ_EQUALITY, "equality", kConnectName);
+  }
+
+  void FindSensor(ShoulderElements& elements) const {
+    const int sensor = Find(mjOBJ_SENSOR, "sensor", kRhythmName);
+    if (model_.sensor_type[sensor] != mjSENS_PLUGIN ||
+        model_.sensor_plugin[sensor] != elements.instance) {
+      const std::string name = SidedName(kRhythmName, side_);
+      throw InputError(model_name_ + ": sensor \"" + name + "\" is not one of the plugin " +
+                       kPluginName + ". Make it <plugin name=\"" + name + "\" instance=\"" + name +
+                       "\"/>, or make the model anew with girdle generate");
+    }
+    elements.sensor = model_.sensor_adr[sensor];
+  }
+
+  const mjModel& model_;
+  const std::string& model_name_;
+  Side side_;
+};
+
+// Of the hinges of a shoulder. In a loop AC has none of its own.
+JointRanges RangesOf(const mjModel& model, const ShoulderElements& elements) {
   JointRanges ranges = ShoulderRhythm::Unbounded();
   for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+    const bool is_ac = k / 3 == 1;
     const int joint =
-        mj_name2id(&model, mjOBJ_JOINT, SidedName(kCoordinateNames[k], kRightSuffix).c_str());
-    if (model.jnt_limited[joint] != 0) {
+        mj_name2id(&model, mjOBJ_JOINT, SidedName(kCoordinateNames[k], elements.side).c_str());
+    if (!(is_ac && elements.assembly == Assembly::kLoop) && model.jnt_limited[joint] != 0) {
       ranges[k] = {model.jnt_range[2 * joint], model.jnt_range[2 * joint + 1]};
     }
   }
   return ranges;
+}
+
+Vector3 OnSide(Side side, const mjtNum* p) {
+  const Vector3 position{p[0], p[1], p[2]};
+  return side == Side::kRight ? position : Mirrored(position);
 }
 
 }  // namespace
@@ -48,63 +163,44 @@ std::string_view SiteStem(std::size_t site) {
   return site < kLandmarkCount ? kLandmarks[site].name : kJointSites[site - kLandmarkCount].child;
 }
 
-ShoulderElements FindShoulder(const mjModel& model, const std::string& model_name) {
-  const auto find = [&](mjtObj type, const char* kind, const std::string& name) {
-    const int id = mj_name2id(&model, type, name.c_str());
-    if (id < 0) {
-      throw InputError(model_name + ": has no " + kind + " \"" + name +
-                       "\". Restore it, or make the model anew with girdle generate");
+std::vector<ShoulderElements> FindShoulders(const mjModel& model, const std::string& model_name) {
+  std::vector<ShoulderElements> shoulders;
+  for (const Side side : {Side::kRight, Side::kLeft}) {
+    const ElementFinder finder(model, model_name, side);
+    if (finder.Look(mjOBJ_BODY, kSegmentNames[1]) >= 0 ||
+        finder.Look(mjOBJ_JOINT, kCoordinateNames.front()) >= 0 ||
+        finder.Look(mjOBJ_ACTUATOR, kCommandNames.front()) >= 0) {
+      shoulders.push_back(finder.FindAll());
     }
-    return id;
-  };
-  const auto right = [](std::string_view stem) { return SidedName(stem, kRightSuffix); };
-  ShoulderElements elements;
-  elements.instance = FindInstance(model, model_name);
-  for (std::size_t i = 0; i < kCommandCount; ++i) {
-    elements.command_controls[i] =
-        model.actuator_ctrladr[find(mjOBJ_ACTUATOR, "actuator", right(kCommandNames[i]))];
   }
-  const auto find_optional = [&](std::string_view stem) {
-    const int id = mj_name2id(&model, mjOBJ_ACTUATOR, right(stem).c_str());
-    return id < 0 ? -1 : model.actuator_ctrladr[id];
-  };
-  std::transform(kOffsetNames.begin(), kOffsetNames.end(), elements.offset_controls.begin(),
-                 find_optional);
-  std::transform(kRateNames.begin(), kRateNames.end(), elements.rate_controls.begin(),
-                 find_optional);
-  for (std::size_t k = 0; k < kCoordinateCount; ++k) {
-    elements.trim_controls[k] =
-        model.actuator_ctrladr[find(mjOBJ_ACTUATOR, "actuator", right(kCoordinateNames[k]))];
-    elements.qpos[k] = model.jnt_qposadr[find(mjOBJ_JOINT, "joint", right(kCoordinateNames[k]))];
+  if (shoulders.empty()) {
+    // Says what of a right one is missing.
+    shoulders.push_back(ElementFinder(model, model_name, Side::kRight).FindAll());
   }
-  for (std::size_t i = 0; i < kSegmentCount; ++i) {
-    const bool sided = static_cast<Segment>(i) != Segment::kThorax;
-    elements.bodies[i] =
-        find(mjOBJ_BODY, "body", sided ? right(kSegmentNames[i]) : std::string(kSegmentNames[i]));
+  return shoulders;
+}
+
+ShoulderState MirroredToRight(const ShoulderState& left) noexcept {
+  // World: y to -y. A body's own frame is mirrored in z besides (rotation.h), so that with both
+  // mirrors turned into half turns about y and z, R_right = Ry(pi) R_left Rz(pi).
+  const Quaternion about_y{0, 0, 1, 0};
+  const Quaternion about_z{0, 0, 0, 1};
+  ShoulderState right = left;
+  for (Quaternion& q_WB : right.q_WB) {
+    q_WB = about_y * q_WB * about_z;
   }
-  for (std::size_t i = 0; i < kSiteCount; ++i) {
-    const bool sided = i >= kLandmarkCount || kLandmarks[i].sided;
-    elements.sites[i] =
-        find(mjOBJ_SITE, "site", sided ? right(SiteStem(i)) : std::string(SiteStem(i)));
+  for (Vector3& p_m : right.site_m) {
+    p_m.y = -p_m.y;
   }
-  const int sensor = find(mjOBJ_SENSOR, "sensor", right(kRhythmName));
-  if (model.sensor_type[sensor] != mjSENS_PLUGIN ||
-      model.sensor_plugin[sensor] != elements.instance) {
-    throw InputError(model_name + ": sensor \"" + right(kRhythmName) +
-                     "\" is not one of the plugin " + kPluginName + ". Make it <plugin name=\"" +
-                     right(kRhythmName) + "\" instance=\"" + right(kRhythmName) +
-                     "\"/>, or make the model anew with girdle generate");
-  }
-  elements.sensor = model.sensor_adr[sensor];
-  return elements;
+  return right;
 }
 
 ShoulderSimulation::ShoulderSimulation(ModelPointer model, std::string name)
     : name_(std::move(name)),
       model_(std::move(model)),
       data_(MakeData(*model_)),
-      elements_(FindShoulder(*model_, name_)),
-      ranges_(RangesOf(*model_)) {
+      shoulders_(FindShoulders(*model_, name_)),
+      ranges_(RangesOf(*model_, shoulders_.front())) {
   if (!(timestep_s() >= kShortestTimestep_s && timestep_s() <= kLongestTimestep_s)) {
     throw InputError(name_ + ": the time step is " + NumberText(timestep_s()) + " s, expected " +
                      NumberText(kShortestTimestep_s) + " to " + NumberText(kLongestTimestep_s) +
@@ -112,32 +208,124 @@ ShoulderSimulation::ShoulderSimulation(ModelPointer model, std::string name)
   }
 }
 
+void ShoulderSimulation::Watch(Side side) {
+  for (std::size_t i = 0; i < shoulders_.size(); ++i) {
+    if (shoulders_[i].side == side) {
+      watched_ = i;
+      return;
+    }
+  }
+  throw InputError(name_ + ": has no " + std::string(kSideNames[static_cast<std::size_t>(side)]) +
+                   " shoulder. Make one that has with girdle generate --side");
+}
+
 void ShoulderSimulation::SetCommand(const ArmCommand& command, const CommandRate& rate) {
-  data_->ctrl[elements_.command_controls[0]] = command.elevation_rad;
-  data_->ctrl[elements_.command_controls[1]] = command.plane_rad;
-  data_->ctrl[elements_.command_controls[2]] = command.axial_rad;
+  if (!has_plugin()) {
+    target_ = rhythm_->SolvePose(command, &used_);
+  }
+  for (const ShoulderElements& elements : shoulders_) {
+    if (has_plugin()) {
+      SetPluginCommand(elements, command, rate);
+    } else {
+      SetServos(elements);
+    }
+  }
+}
+
+void ShoulderSimulation::SetPluginCommand(const ShoulderElements& elements,
+                                          const ArmCommand& command, const CommandRate& rate) {
+  data_->ctrl[elements.command_controls[0]] = command.elevation_rad;
+  data_->ctrl[elements.command_controls[1]] = command.plane_rad;
+  data_->ctrl[elements.command_controls[2]] = command.axial_rad;
   const std::array<double, kOffsetCount> offsets_rad = {command.shrug_rad, command.protraction_rad};
   for (std::size_t i = 0; i < kOffsetCount; ++i) {
-    if (elements_.offset_controls[i] >= 0) {
-      data_->ctrl[elements_.offset_controls[i]] = offsets_rad[i];
+    if (elements.offset_controls[i] >= 0) {
+      data_->ctrl[elements.offset_controls[i]] = offsets_rad[i];
     } else if (offsets_rad[i] != 0) {
       throw InputError(name_ + ": " + std::string(kOffsetNames[i]) +
                        " is commanded, and the model has no actuator \"" +
-                       SidedName(kOffsetNames[i], kRightSuffix) +
+                       SidedName(kOffsetNames[i], elements.side) +
                        "\". Make one that has with girdle generate --offsets");
     }
   }
   for (std::size_t i = 0; i < kRateCount; ++i) {
-    if (elements_.rate_controls[i] >= 0) {
-      data_->ctrl[elements_.rate_controls[i]] = rate[i];
+    if (elements.rate_controls[i] >= 0) {
+      data_->ctrl[elements.rate_controls[i]] = rate[i];
     }
   }
+}
+
+JointAngles ShoulderSimulation::TargetsOf(const ShoulderElements& elements) const {
+  if (!elements.has_plugin()) {
+    return DrivenAngles(elements.assembly, target_);
+  }
+  JointAngles target_rad{};
+  std::copy_n(data_->sensordata + elements.sensor + sensor_layout::kTarget, kCoordinateCount,
+              target_rad.begin());
+  return target_rad;
+}
+
+// Where the clavicle, turned as SC is told to, has the AC joint: in the thorax, mirrored to the
+// right.
+Vector3 ShoulderSimulation::PlaceFor(const ShoulderElements& elements,
+                                     const JointAngles& target_rad) const {
+  const Quaternion q_TC =
+      QuaternionFromEuler(kJointSequences[0], {target_rad[0], target_rad[1], target_rad[2]});
+  const int clavicle = elements.bodies[static_cast<std::size_t>(Segment::kClavicle)];
+  const int site = elements.sites[static_cast<std::size_t>(Landmark::kPAC)];
+  return OnSide(elements.side, model_->body_pos + 3 * clavicle) +
+         q_TC * OnSide(elements.side, model_->site_pos + 3 * site);
+}
+
+void ShoulderSimulation::SetServos(const ShoulderElements& elements) {
+  const JointAngles target_rad = TargetsOf(elements);
+  for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+    if (elements.joint_controls[k] >= 0) {
+      data_->ctrl[elements.joint_controls[k]] = target_rad[k];
+    }
+  }
+  if (elements.lead == Lead::kScapula) {
+    const Vector3 place_m = PlaceFor(elements, target_rad);
+    for (int i = 0; i < 3; ++i) {
+      data_->ctrl[elements.place_controls[static_cast<std::size_t>(i)]] = place_m[i];
+    }
+  }
+}
+
+std::vector<std::string> ShoulderSimulation::TargetNames() const {
+  std::vector<std::string> names;
+  for (const ShoulderElements& elements : shoulders_) {
+    const auto coordinates = DrivenCoordinates(elements.assembly);
+    const bool leads = elements.lead == Lead::kScapula;
+    for (std::size_t k = leads ? 2 : 0; k < kCoordinateCount; ++k) {
+      names.push_back(SidedName(coordinates[k], elements.side));
+    }
+    for (std::size_t i = 0; leads && i < kTranslationNames.size(); ++i) {
+      names.push_back(SidedName(kTranslationNames[i], elements.side));
+    }
+  }
+  return names;
+}
+
+std::vector<double> ShoulderSimulation::Targets() const {
+  std::vector<double> targets;
+  for (const ShoulderElements& elements : shoulders_) {
+    const JointAngles target_rad = TargetsOf(elements);
+    if (elements.lead == Lead::kClavicle) {
+      targets.insert(targets.end(), target_rad.begin(), target_rad.end());
+      continue;
+    }
+    targets.insert(targets.end(), target_rad.begin() + 2, target_rad.end());
+    const Vector3 place_m = PlaceFor(elements, target_rad);
+    targets.insert(targets.end(), {place_m.x, place_m.y, place_m.z});
+  }
+  return targets;
 }
 
 JointAngles ShoulderSimulation::Positions() const {
   JointAngles position_rad{};
   for (std::size_t k = 0; k < kCoordinateCount; ++k) {
-    position_rad[k] = data_->qpos[elements_.qpos[k]];
+    position_rad[k] = data_->qpos[elements().qpos[k]];
   }
   return position_rad;
 }
@@ -148,39 +336,82 @@ ShoulderState ShoulderSimulation::Derived(double time_s, const ArmCommand& comma
   state.time_s = time_s;
   state.command = command;
   state.position_rad = position_rad;
-  const mjtNum* sensor = data_->sensordata + elements_.sensor;
-  std::copy_n(sensor + sensor_layout::kTarget, kCoordinateCount, state.target_rad.begin());
-  state.distance_rad = sensor[sensor_layout::kDistance];
-  state.clamped = sensor[sensor_layout::kCommanded] != command.elevation_rad ||
-                  sensor[sensor_layout::kCommanded + 1] != command.plane_rad ||
-                  sensor[sensor_layout::kCommanded + 2] != command.axial_rad;
+  state.fastest_rad_per_s = FastestHinge();
+  state.target_rad = TargetsOf(elements());
+  if (has_plugin()) {
+    const mjtNum* sensor = data_->sensordata + elements().sensor;
+    state.distance_rad = sensor[sensor_layout::kDistance];
+    state.clamped = sensor[sensor_layout::kCommanded] != command.elevation_rad ||
+                    sensor[sensor_layout::kCommanded + 1] != command.plane_rad ||
+                    sensor[sensor_layout::kCommanded + 2] != command.axial_rad;
+  } else {
+    state.distance_rad =
+        rhythm_->rhythm().DistanceOutside(command.elevation_rad, command.plane_rad);
+    state.clamped = used_ != command;
+  }
+  state.connect_force_N = ConnectForce();
   for (std::size_t i = 0; i < kSegmentCount; ++i) {
-    const mjtNum* q = data_->xquat + 4 * elements_.bodies[i];
+    const mjtNum* q = data_->xquat + 4 * elements().bodies[i];
     state.q_WB[i] = {q[0], q[1], q[2], q[3]};
   }
   for (std::size_t i = 0; i < kSiteCount; ++i) {
-    const mjtNum* p = data_->site_xpos + 3 * elements_.sites[i];
+    const mjtNum* p = data_->site_xpos + 3 * elements().sites[i];
     state.site_m[i] = {p[0], p[1], p[2]};
   }
   return state;
 }
 
+double ShoulderSimulation::FastestHinge() const {
+  double fastest = 0;
+  for (int joint = 0; joint < model_->njnt; ++joint) {
+    if (model_->jnt_type[joint] == mjJNT_HINGE) {
+      fastest = std::max(fastest, std::abs(data_->qvel[model_->jnt_dofadr[joint]]));
+    }
+  }
+  return fastest;
+}
+
+// Length of the sum of the constraint's three forces.
+double ShoulderSimulation::ConnectForce() const {
+  double squared = 0;
+  for (int row = 0; elements().connect >= 0 && row < data_->nefc; ++row) {
+    if (data_->efc_type[row] == mjCNSTR_EQUALITY && data_->efc_id[row] == elements().connect) {
+      squared += data_->efc_force[row] * data_->efc_force[row];
+    }
+  }
+  return std::sqrt(squared);
+}
+
 void ShoulderSimulation::Start(const ArmCommand& command) {
   mj_resetData(model_.get(), data_.get());
-  const ShoulderState state = Observe(command);
-  for (std::size_t k = 0; k < kCoordinateCount; ++k) {
-    data_->qpos[elements_.qpos[k]] = state.target_rad[k];
+  SetCommand(command, {});
+  mj_forward(model_.get(), data_.get());
+  for (const ShoulderElements& elements : shoulders_) {
+    const JointAngles target_rad = TargetsOf(elements);
+    for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+      data_->qpos[elements.qpos[k]] = target_rad[k];
+    }
+    if (elements.assembly == Assembly::kLoop) {
+      const Vector3 place_m = PlaceFor(elements, target_rad);
+      for (int i = 0; i < 3; ++i) {
+        data_->qpos[elements.place_qpos[static_cast<std::size_t>(i)]] = place_m[i];
+      }
+    }
   }
+  EngineWatch::ExpectNoWarning(name_ + ": at " + NumberText(data_->time) + " s");
 }
 
 ShoulderState ShoulderSimulation::Step(const ArmCommand& command, const CommandRate& rate) {
   SetCommand(command, rate);
   const double time_s = data_->time;
   const JointAngles position_rad = Positions();
+  const double fastest_rad_per_s = FastestHinge();
   // What mj_step derives belongs to the positions before it moves them.
   mj_step(model_.get(), data_.get());
   EngineWatch::ExpectNoWarning(name_ + ": at " + NumberText(time_s) + " s");
-  return Derived(time_s, command, position_rad);
+  ShoulderState state = Derived(time_s, command, position_rad);
+  state.fastest_rad_per_s = fastest_rad_per_s;
+  return state;
 }
 
 ShoulderState ShoulderSimulation::Observe(const ArmCommand& command) {

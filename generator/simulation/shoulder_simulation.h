@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// One shoulder in a MuJoCo model: its elements, its state, and stepping it.
+/// The shoulders in a MuJoCo model: their elements, their state, and stepping them.
 #pragma once
 
 #include <array>
@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "kinematics/assembled_rhythm.h"
 #include "kinematics/model_names.h"
-#include "kinematics/shoulder_rhythm.h"
 #include "simulation/engine.h"
 #include "simulation/motion.h"
 #include "tables/anatomy.h"
@@ -26,30 +26,43 @@ inline constexpr std::size_t kSiteCount = kLandmarkCount + kJointCount;
 
 /// Ids and addresses of one shoulder's elements.
 struct ShoulderElements {
-  int instance = 0;  ///< of the plugin
-  std::array<int, kCommandCount> command_controls{};
-  std::array<int, kOffsetCount> offset_controls{};  ///< -1 where the model has none
-  std::array<int, kRateCount> rate_controls{};      ///< -1 where the model has none
-  std::array<int, kCoordinateCount> trim_controls{};
+  Side side = Side::kRight;
+  Assembly assembly = Assembly::kTree;
+  Lead lead = Lead::kClavicle;
+  /// Of the plugin; -1 where position servos move the joints.
+  int instance = -1;
+  std::array<int, kCommandCount> command_controls{};  ///< of a model with the plugin
+  std::array<int, kOffsetCount> offset_controls{};    ///< -1 where the model has none
+  std::array<int, kRateCount> rate_controls{};        ///< -1 where the model has none
+  /// Trims of the plugin's servos, or what the position servos are given; -1 where there is none.
+  std::array<int, kCoordinateCount> joint_controls{};
+  std::array<int, 3> place_controls{};  ///< of the scapula's place, -1 where it is not driven
   std::array<int, kCoordinateCount> qpos{};
+  std::array<int, 3> place_qpos{};          ///< of the scapula's place in a loop
+  int connect = -1;                         ///< equality that closes the AC joint of a loop
   std::array<int, kSegmentCount> bodies{};  ///< in the order of Segment
   std::array<int, kSiteCount> sites{};
-  int sensor = 0;  ///< address in sensordata
+  int sensor = -1;  ///< address in sensordata, where there is the plugin
+
+  [[nodiscard]] bool has_plugin() const noexcept { return instance >= 0; }
 };
 
-/// Finds the right shoulder by the names of model_names.h. Throws InputError that names what is
-/// missing; `name` stands in the message for the model.
-[[nodiscard]] ShoulderElements FindShoulder(const mjModel& model, const std::string& name);
+/// Finds the shoulders by the names of model_names.h, the right one first. Throws InputError that
+/// names what is missing; `name` stands in the message for the model.
+[[nodiscard]] std::vector<ShoulderElements> FindShoulders(const mjModel& model,
+                                                          const std::string& name);
 
 /// The shoulder at one instant, from MuJoCo.
 struct ShoulderState {
   double time_s = 0;
   ArmCommand command;
-  JointAngles target_rad{};  ///< what the plugin aims at
+  JointAngles target_rad{};  ///< what the servos aim at, as DrivenCoordinates of the assembly
   JointAngles position_rad{};
+  double fastest_rad_per_s = 0;  ///< of all hinges of the model
   /// The plugin used another command: the nearest within the controls' ranges and the rhythm's.
   bool clamped = false;
-  double distance_rad = 0;  ///< of the command's direction from measured ones
+  double distance_rad = 0;     ///< of the command's direction from measured ones
+  double connect_force_N = 0;  ///< with which the AC joint of a loop is held together
   std::array<Quaternion, kSegmentCount>
       q_WB{};                                ///< thorax, clavicle, scapula, humerus in the world
   std::array<Vector3, kSiteCount> site_m{};  ///< in the world
@@ -66,12 +79,25 @@ struct ShoulderState {
   }
 };
 
-/// A model with its plugin, ready to step. Throws InputError where MuJoCo warns.
+/// Returns a left shoulder's state as that of the right one that it is the mirror image of, in the
+/// world mirrored in x and z.
+[[nodiscard]] ShoulderState MirroredToRight(const ShoulderState& left) noexcept;
+
+/// A model with its plugin, or with position servos, ready to step. All its shoulders get the same
+/// command; the states are those of one of them. Throws InputError where MuJoCo warns.
 class ShoulderSimulation {
  public:
-  /// `name` stands in messages for the model. Throws InputError if it lacks an element of the
+  /// `name` stands in messages for the model. Throws InputError if it lacks an element of a
   /// shoulder or steps too coarsely for the servos.
   ShoulderSimulation(ModelPointer model, std::string name);
+
+  /// Gives position servos, which know no rhythm, the one that they are to follow. Needed before
+  /// anything below unless has_plugin(). The rhythm must outlive the simulation.
+  void Follow(const AssembledRhythm& rhythm) noexcept { rhythm_ = &rhythm; }
+
+  /// Chooses the shoulder whose states are returned. Throws InputError if the model has no such
+  /// side.
+  void Watch(Side side);
 
   /// Puts the arm at rest where a command asks for it.
   void Start(const ArmCommand& command);
@@ -88,23 +114,45 @@ class ShoulderSimulation {
   ShoulderState ObserveAtTargets(const ArmCommand& command);
 
   [[nodiscard]] const mjModel& model() const noexcept { return *model_; }
-  [[nodiscard]] const ShoulderElements& elements() const noexcept { return elements_; }
+  [[nodiscard]] const std::vector<ShoulderElements>& shoulders() const noexcept {
+    return shoulders_;
+  }
+  /// Of the shoulder that is watched.
+  [[nodiscard]] const ShoulderElements& elements() const noexcept { return shoulders_[watched_]; }
+  [[nodiscard]] bool has_plugin() const noexcept { return shoulders_.front().has_plugin(); }
+  /// What position servos are to be given for the last command [rad; of a place m], and the names
+  /// of their actuators: the control signal of the same model with position servos.
+  [[nodiscard]] std::vector<double> Targets() const;
+  [[nodiscard]] std::vector<std::string> TargetNames() const;
   [[nodiscard]] const JointRanges& ranges() const noexcept { return ranges_; }
   [[nodiscard]] double timestep_s() const noexcept { return model_->opt.timestep; }
   [[nodiscard]] const std::string& name() const noexcept { return name_; }
 
  private:
   void SetCommand(const ArmCommand& command, const CommandRate& rate);
+  void SetPluginCommand(const ShoulderElements& elements, const ArmCommand& command,
+                        const CommandRate& rate);
+  void SetServos(const ShoulderElements& elements);
+  [[nodiscard]] JointAngles TargetsOf(const ShoulderElements& elements) const;
+  [[nodiscard]] Vector3 PlaceFor(const ShoulderElements& elements,
+                                 const JointAngles& target_rad) const;
+  [[nodiscard]] double ConnectForce() const;
   [[nodiscard]] JointAngles Positions() const;
   /// Everything that MuJoCo derives, with positions as given.
   [[nodiscard]] ShoulderState Derived(double time_s, const ArmCommand& command,
                                       const JointAngles& position_rad) const;
+  [[nodiscard]] double FastestHinge() const;
 
   std::string name_;
   ModelPointer model_;
   DataPointer data_;
-  ShoulderElements elements_;
+  std::vector<ShoulderElements> shoulders_;
+  std::size_t watched_ = 0;
   JointRanges ranges_;
+  const AssembledRhythm* rhythm_ = nullptr;
+  /// What position servos were told last, and what of it they follow.
+  ArmCommand used_;
+  ShoulderPose target_;
 };
 
 }  // namespace girdle

@@ -3,6 +3,8 @@
 
 #include "simulation/trace.h"
 
+#include <algorithm>
+
 #include "tables/number_text.h"
 
 namespace girdle {
@@ -30,7 +32,7 @@ ArmCommand ReplayableCommand(const ArmCommand& command) noexcept {
           ReplayableAngle(command.protraction_rad)};
 }
 
-std::string TraceHeader() {
+std::string TraceHeader(Assembly assembly) {
   std::string text = "time_s";
   for (const std::string_view command : kCommandNames) {
     text += "," + std::string(command) + "_deg";
@@ -40,7 +42,7 @@ std::string TraceHeader() {
   }
   text += ",distance_deg";
   for (const char* prefix : {",target_", ","}) {
-    for (const std::string_view coordinate : kCoordinateNames) {
+    for (const std::string_view coordinate : DrivenCoordinates(assembly)) {
       text += prefix + std::string(coordinate) + "_deg";
     }
   }
@@ -85,6 +87,26 @@ void AppendTraceRow(std::string& text, const ShoulderState& state) {
     append(position.x);
     append(position.y);
     append(position.z);
+  }
+  text += '\n';
+}
+
+std::string ControlsHeader(const std::vector<std::string>& actuators) {
+  std::string text = "time_s";
+  for (const std::string& actuator : actuators) {
+    const bool is_slide =
+        std::any_of(kTranslationNames.begin(), kTranslationNames.end(),
+                    [&actuator](std::string_view name) { return actuator.starts_with(name); });
+    text += "," + actuator + (is_slide ? "_m" : "_rad");
+  }
+  return text + "\n";
+}
+
+void AppendControlsRow(std::string& text, double time_s, const std::vector<double>& targets) {
+  AppendNumber(text, time_s);
+  for (const double target : targets) {
+    text += ',';
+    AppendNumber(text, target);
   }
   text += '\n';
 }

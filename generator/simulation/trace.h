@@ -5,16 +5,17 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "simulation/shoulder_simulation.h"
 
 namespace girdle {
 
-/// Returns the header: `time_s`, the commands `elevation_deg plane_deg axial_deg
-/// shrug_deg protraction_deg`, `distance_deg` from measured data, nine
-/// `target_*_deg`, nine `*_deg`, world quaternions `clavicle_qw ... humerus_qz`, world positions
-/// `IJ_x_m ...` of all sites.
-[[nodiscard]] std::string TraceHeader();
+/// Returns the header of an assembly's trace: `time_s`, the commands `elevation_deg plane_deg
+/// axial_deg shrug_deg protraction_deg`, `distance_deg` from measured data, nine `target_*_deg`,
+/// nine `*_deg`, world quaternions `clavicle_qw ... humerus_qz`, world positions `IJ_x_m ...` of
+/// all sites.
+[[nodiscard]] std::string TraceHeader(Assembly assembly);
 
 /// Returns the command [rad] nearest to `command`, a few units in the last place away at most, that
 /// the degrees of a trace give back exactly: whoever drives a model from a trace repeats the run to
@@ -23,5 +24,10 @@ namespace girdle {
 
 /// Appends one row, shortest decimals that read back exactly.
 void AppendTraceRow(std::string& text, const ShoulderState& state);
+
+/// The control signal of position servos as a CSV table: `time_s` and the targets of actuators by
+/// their names, `_rad` or, of slides, `_m` behind them; and one row of it.
+[[nodiscard]] std::string ControlsHeader(const std::vector<std::string>& actuators);
+void AppendControlsRow(std::string& text, double time_s, const std::vector<double>& targets);
 
 }  // namespace girdle

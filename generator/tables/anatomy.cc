@@ -139,7 +139,9 @@ void ReadSegments(std::istream& in, const std::string& name, Anatomy& anatomy) {
 void ReadJointRanges(std::istream& in, const std::string& name, Anatomy& anatomy) {
   CsvReader csv(in, name);
   csv.ExpectOnlyColumns({"coordinate", "lower_deg", "upper_deg"});
-  NamedRows rows(csv, "coordinate", {kCoordinateNames.begin(), kCoordinateNames.end()});
+  std::vector<std::string_view> names(kCoordinateNames.begin(), kCoordinateNames.end());
+  names.insert(names.end(), kScapulothoracicNames.begin(), kScapulothoracicNames.end());
+  NamedRows rows(csv, "coordinate", names);
   const std::size_t lower_column = csv.Column("lower_deg");
   const std::size_t upper_column = csv.Column("upper_deg");
   while (const std::optional<std::size_t> row = rows.Next()) {
@@ -148,7 +150,10 @@ void ReadJointRanges(std::istream& in, const std::string& name, Anatomy& anatomy
     if (lower >= upper) {
       csv.Fail("lower_deg is not below upper_deg");
     }
-    anatomy.ranges[*row] = {RadiansFromDegrees(lower), RadiansFromDegrees(upper)};
+    CoordinateRange& range = *row < kCoordinateCount
+                                 ? anatomy.ranges[*row]
+                                 : anatomy.scapulothoracic_ranges[*row - kCoordinateCount];
+    range = {RadiansFromDegrees(lower), RadiansFromDegrees(upper)};
   }
 }
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-#include "kinematics/shoulder_pose.h"
+#include "kinematics/assembly.h"
 
 namespace girdle {
 
@@ -81,6 +81,8 @@ struct Anatomy {
   std::array<Vector3, kLandmarkCount> landmarks_m{};  ///< each in the frame of its segment
   std::array<SegmentInertia, kSegmentCount> segments{};
   JointRanges ranges{};
+  /// Of the scapula in the thorax, in the order of kScapulothoracicNames.
+  std::array<CoordinateRange, 3> scapulothoracic_ranges{};
   Ellipsoid ribcage;  ///< what is drawn as the thorax
   Ellipsoid gliding;  ///< what the scapula glides on
 
@@ -95,6 +97,12 @@ struct Anatomy {
     return (landmark_m(Landmark::kEM) + landmark_m(Landmark::kEL)) / 2.0;
   }
 };
+
+/// Where a landmark of the thorax that has no side is in a model of both shoulders: in the median
+/// plane. The thorax frame, which halves it, stays.
+[[nodiscard]] inline Vector3 InMedianPlane(const Vector3& p_T) noexcept {
+  return {p_T.x, p_T.y, 0};
+}
 
 /// Each reads one file of an anatomy into `anatomy` and throws InputError, with file and line, at
 /// the first value that cannot be: unknown, missing or repeated rows, a landmark given in another

@@ -3,12 +3,12 @@
 
 #include "tables/rhythm_config.h"
 
+#include <algorithm>
 #include <sstream>
 #include <stdexcept>
 #include <string_view>
 #include <vector>
 
-#include "kinematics/model_names.h"
 #include "tables/built_in.h"
 #include "tables/number_text.h"
 #include "tables/rhythm_table_csv.h"
@@ -18,6 +18,8 @@ namespace {
 
 // Of all nine servos if the configuration does not say.
 constexpr double kDefaultStiffness_N_m_per_rad = 500;
+// Of the servos of the scapula's place, if there are any.
+constexpr double kDefaultTranslationStiffness_N_per_m = 10000;
 
 template <std::size_t N>
 std::string OneOf(const std::array<std::string_view, N>& names) {
@@ -58,18 +60,19 @@ RhythmTable ParseTable(const std::string& text, Interpolation interpolation) {
 
 std::array<double, kCoordinateCount> ParseStiffness(const std::string& text) {
   constexpr const char* kExpected =
-      "one positive number of N m/rad, or nine in the order sc, ac, gh";
+      "one positive number of N m/rad, or nine in the order sc, ac, gh (0 for a joint that "
+      "follows)";
   std::vector<double> numbers;
   std::istringstream words(text);
   for (std::string word; words >> word;) {
     const std::optional<double> number = FiniteNumber(word);
-    if (!number || *number <= 0) {
+    if (!number || *number < 0) {
       Fail(kStiffnessKey, text, kExpected);
     }
     numbers.push_back(*number);
   }
   std::array<double, kCoordinateCount> stiffness{};
-  if (numbers.size() == 1) {
+  if (numbers.size() == 1 && numbers.front() > 0) {
     stiffness.fill(numbers.front());
   } else if (numbers.size() == kCoordinateCount) {
     std::copy(numbers.begin(), numbers.end(), stiffness.begin());
@@ -77,6 +80,12 @@ std::array<double, kCoordinateCount> ParseStiffness(const std::string& text) {
     Fail(kStiffnessKey, text, kExpected);
   }
   return stiffness;
+}
+
+std::optional<Side> SideFromName(std::string_view name) {
+  const auto found = std::find(kSideNames.begin(), kSideNames.end(), name);
+  return found == kSideNames.end() ? std::nullopt
+                                   : std::optional(static_cast<Side>(found - kSideNames.begin()));
 }
 
 }  // namespace
@@ -92,7 +101,18 @@ RhythmConfig ParseRhythmConfig(const RhythmConfigText& text) {
   if (!text.stiffness.empty()) {
     stiffness = ParseStiffness(text.stiffness);
   }
-  return {ParseTable(text.table, options.interpolation), options, stiffness};
+  Side side = Side::kRight;
+  Choose(kSideKey, text.side, SideFromName, kSideNames, side);
+  double translation_stiffness_N_per_m = kDefaultTranslationStiffness_N_per_m;
+  if (!text.translation_stiffness.empty()) {
+    const std::optional<double> number = FiniteNumber(text.translation_stiffness);
+    if (!number || *number <= 0) {
+      Fail(kTranslationStiffnessKey, text.translation_stiffness, "a positive number of N/m");
+    }
+    translation_stiffness_N_per_m = *number;
+  }
+  return {ParseTable(text.table, options.interpolation), options, stiffness, side,
+          translation_stiffness_N_per_m};
 }
 
 ShoulderRhythm ConfiguredRhythm(const RhythmConfig& config, const JointRanges& ranges) {

@@ -7,6 +7,7 @@
 #include <array>
 #include <string>
 
+#include "kinematics/model_names.h"
 #include "kinematics/shoulder_rhythm.h"
 
 namespace girdle {
@@ -18,12 +19,16 @@ struct RhythmConfigText {
   std::string range;
   std::string table;
   std::string stiffness;
+  std::string side{};
+  std::string translation_stiffness{};
 };
 
 struct RhythmConfig {
   RhythmTable table;
   RhythmOptions options;
   std::array<double, kCoordinateCount> stiffness_N_m_per_rad;  ///< in the order of kCoordinateNames
+  Side side = Side::kRight;
+  double translation_stiffness_N_per_m = 0;
 };
 
 /// Returns the validated configuration. Throws std::runtime_error that names key, value and the

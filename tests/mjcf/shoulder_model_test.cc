@@ -505,8 +505,7 @@ TEST(PluginModel, TakesOffsetsAndRatesWhereTheyAreWanted) {
        {"elevation_r", "plane_r", "axial_r", "elevation_rate_r", "plane_rate_r", "axial_rate_r"}},
       {{.has_offsets = true, .has_rates = true},
        {"elevation_r", "plane_r", "axial_r", "shrug_r", "protraction_r", "elevation_rate_r",
-        "plane_rate_r", "axial_rate_r"}},
-      {{.actuation = Actuation::kPosition, .has_offsets = true, .has_rates = true}, {}}};
+        "plane_rate_r", "axial_rate_r"}}};
   for (const auto& [options, commands] : choices) {
     std::vector<std::string> expected = commands;
     expected.insert(expected.end(), kJoints.begin(), kJoints.end());

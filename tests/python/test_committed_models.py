@@ -9,19 +9,31 @@ from pathlib import Path
 
 import pytest
 
-COMMITTED = Path(__file__).resolve().parents[2] / "model" / "shoulder_right"
+MODELS = Path(__file__).resolve().parents[2] / "model"
+FAMILIES = {"shoulder_tree": "tree", "shoulder_loop": "loop"}
 
 
-@pytest.mark.parametrize("name", sorted(path.name for path in COMMITTED.glob("*.xml")))
-def test_a_committed_model_is_regenerated_byte_for_byte(
-    name: str, program: Path, tmp_path: Path
-) -> None:
-    subprocess.run([program, "generate", "--out", tmp_path], check=True, capture_output=True)
-    assert (tmp_path / name).read_bytes() == (COMMITTED / name).read_bytes()
+@pytest.fixture(scope="module", params=FAMILIES)
+def emitted(request: pytest.FixtureRequest, program: Path, tmp_path_factory) -> tuple[Path, Path]:
+    """A family's committed folder and what the program emits into one today."""
+    folder = tmp_path_factory.mktemp(request.param)
+    for side in ("right", "left", "both"):
+        for actuation in ("plugin", "position"):
+            subprocess.run(
+                [program, "generate", "--assembly", FAMILIES[request.param], "--side", side]
+                + ["--actuation", actuation, "--out", folder],
+                check=True,
+                capture_output=True,
+            )
+    return MODELS / request.param, folder
 
 
-def test_every_emitted_file_is_committed(program: Path, tmp_path: Path) -> None:
-    subprocess.run([program, "generate", "--out", tmp_path], check=True, capture_output=True)
-    emitted = {path.name for path in tmp_path.iterdir()}
-    assert emitted
-    assert emitted == {path.name for path in COMMITTED.glob("*.xml")}
+def test_every_family_is_tested() -> None:
+    assert sorted(path.name for path in MODELS.iterdir() if path.is_dir()) == sorted(FAMILIES)
+
+
+def test_committed_models_are_regenerated_byte_for_byte(emitted: tuple[Path, Path]) -> None:
+    committed, made = emitted
+    assert {path.name for path in made.iterdir()} == {path.name for path in committed.glob("*.xml")}
+    for path in made.iterdir():
+        assert path.read_bytes() == (committed / path.name).read_bytes(), path.name

@@ -43,7 +43,7 @@ def test_the_installed_program_finds_its_plugin_and_its_simulation(
 
 def test_the_installed_model_is_the_emitted_one(prefix: Path, tmp_path: Path) -> None:
     run(prefix / "bin" / "girdle", "generate", "--out", tmp_path)
-    installed = prefix / "share" / "girdle" / "model" / "shoulder_right" / "shoulder_right.xml"
+    installed = prefix / "share" / "girdle" / "model" / "shoulder_tree" / "shoulder_right.xml"
     assert installed.read_bytes() == (tmp_path / "shoulder_right.xml").read_bytes()
 
 

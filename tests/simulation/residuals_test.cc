@@ -82,7 +82,8 @@ class MeasureResidualsTest : public EngineTest {
     options.table = std::nullopt;
     const std::string xml = ShoulderModelXml(BuiltInAnatomy(), rhythm, options);
     ShoulderSimulation simulation(LoadModel({{"shoulder.xml", xml}}), "shoulder.xml");
-    return MeasureResiduals(simulation, reference, BuiltInAnatomy(), [](double) {});
+    return MeasureResiduals(simulation, {reference, options.assembly}, BuiltInAnatomy(),
+                            [](double) {});
   }
 
   static std::string FailedLines(const ResidualReport& report) {

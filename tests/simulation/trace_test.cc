@@ -25,7 +25,7 @@ TEST(ReplayableCommand, ComesBackExactlyFromDegrees) {
 }
 
 TEST(Trace, EveryRowHasTheColumnsOfTheHeader) {
-  const std::string header = TraceHeader();
+  const std::string header = TraceHeader(Assembly::kTree);
   std::string row;
   AppendTraceRow(row, ShoulderState{});
   EXPECT_EQ(std::count(row.begin(), row.end(), ','), std::count(header.begin(), header.end(), ','));

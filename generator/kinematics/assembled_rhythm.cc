@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "kinematics/assembled_rhythm.h"
+
+#include <algorithm>
+#include <glm/gtc/quaternion.hpp>
+#include <utility>
+
+namespace girdle {
+namespace {
+
+// Over which u fades out beyond the table; below it, over all that is left down to hanging.
+constexpr double kFade_rad = 30 * kRadiansPerDegree;
+
+// 1 up to an edge and 0 from `width` past it on, twice continuously differentiable.
+double Fading(double past_edge_rad, double width_rad) noexcept {
+  if (past_edge_rad <= 0) {
+    return 1;
+  }
+  if (past_edge_rad >= width_rad) {
+    return 0;
+  }
+  const double s = past_edge_rad / width_rad;
+  return 1 - s * s * s * (10 - s * (15 - 6 * s));
+}
+
+}  // namespace
+
+AssembledRhythm::AssembledRhythm(ShoulderRhythm rhythm, Assembly assembly)
+    : rhythm_(std::move(rhythm)), assembly_(assembly) {
+  if (assembly == Assembly::kLoop) {
+    correction_ = CorrectionOf(rhythm_.table());
+  }
+}
+
+std::optional<AssembledRhythm::Correction> AssembledRhythm::CorrectionOf(const RhythmTable& table) {
+  const SurfaceGrid grid{SplineAxis(table.elevations_rad()), SplineAxis(table.planes_rad())};
+  const std::size_t planes = table.planes_rad().size();
+  const std::size_t elevations = table.elevations_rad().size();
+  for (std::size_t plane = 0; plane < planes; ++plane) {
+    for (std::size_t elevation = 0; elevation < elevations; ++elevation) {
+      if (!table.position(plane, elevation).scapulothoracic_rad) {
+        return std::nullopt;
+      }
+    }
+  }
+  const auto u_at = [&table](std::size_t elevation, std::size_t plane) {
+    const RhythmPosition& position = table.position(plane, elevation);
+    const Quaternion q_TS = QuaternionFromEuler(EulerSequence::kYXZ, *position.scapulothoracic_rad);
+    const Vector3 u = Log(glm::conjugate(PoseFromAngles(position.angles_rad).q_TS()) * q_TS);
+    return SurfaceSpline<double, 3>::Values{u.x, u.y, u.z};
+  };
+  return Correction{grid,
+                    SurfaceSpline<double, 3>(grid, u_at),
+                    {table.elevations_rad().front(), table.elevations_rad().back(),
+                     table.planes_rad().front(), table.planes_rad().back()}};
+}
+
+Vector3 AssembledRhythm::Correction::At(double elevation_rad, double plane_rad) const noexcept {
+  const double weight =
+      Fading(measured.lowest_elevation_rad - elevation_rad, measured.lowest_elevation_rad) *
+      Fading(elevation_rad - measured.highest_elevation_rad,
+             std::min(kFade_rad, kPi - measured.highest_elevation_rad)) *
+      Fading(measured.first_plane_rad - plane_rad, kFade_rad) *
+      Fading(plane_rad - measured.last_plane_rad, kFade_rad);
+  if (weight == 0) {
+    return {0, 0, 0};
+  }
+  const auto u = surface.At(grid.PlaceOf(elevation_rad, plane_rad));
+  return weight * Vector3{u[0], u[1], u[2]};
+}
+
+ShoulderPose AssembledRhythm::SolvePose(const ArmCommand& command,
+                                        ArmCommand* used) const noexcept {
+  if (!correction_) {
+    return rhythm_.SolvePose(command, used);
+  }
+  ArmCommand answered;
+  ShoulderPose pose = rhythm_.SolvePose(command, &answered);
+  if (used != nullptr) {
+    *used = answered;
+  }
+  const Quaternion q_TH = pose.q_TH();
+  pose.q_CS = pose.q_CS * Exp(correction_->At(answered.elevation_rad, answered.plane_rad));
+  if (rhythm_.options().closure == Closure::kExact) {
+    pose.q_SH = glm::conjugate(pose.q_TS()) * q_TH;
+  }
+  return pose;
+}
+
+JointAngles AssembledRhythm::SolveAngles(const ArmCommand& command,
+                                         ArmCommand* used) const noexcept {
+  return DrivenAngles(assembly_, SolvePose(command, used));
+}
+
+}  // namespace girdle
