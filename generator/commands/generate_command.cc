@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "commands/anatomy_arguments.h"
 #include "commands/output_file.h"
 #include "commands/rhythm_arguments.h"
 #include "commands/simulation_module.h"
@@ -29,6 +30,7 @@ struct GenerateArguments {
   std::string assembly;
   std::string lead;
   std::string actuation;
+  AnatomyArguments anatomy;
   std::string out;
   bool offsets = false;
   bool rates = false;
@@ -67,10 +69,11 @@ ShoulderModelOptions ModelOptions(const GenerateArguments& arguments) {
   return options;
 }
 
-std::string ModelXml(const GenerateArguments& arguments, const ShoulderModelOptions& options) {
+std::string ModelXml(const GenerateArguments& arguments, const Anatomy& anatomy,
+                     const ShoulderModelOptions& options) {
   const ShoulderRhythm rhythm = ChosenRhythm(arguments.rhythm);
   try {
-    return ShoulderModelXml(BuiltInAnatomy(), rhythm, options);
+    return ShoulderModelXml(anatomy, rhythm, options);
   } catch (const std::invalid_argument& error) {
     throw InputError((options.table ? "" : arguments.rhythm.table + ": ") + error.what());
   }
@@ -87,9 +90,10 @@ std::pair<std::string, std::string> FileNames(const ShoulderModelOptions& option
 void Generate(const GenerateArguments& arguments) {
   const ShoulderModelOptions options = ModelOptions(arguments);
   const auto [model_file, scene_file] = FileNames(options);
+  const Anatomy anatomy = ChosenAnatomy(arguments.anatomy);
   const std::vector<std::pair<std::string, std::string>> files = {
-      {scene_file, SceneXml(model_file, options.sides)},
-      {model_file, ModelXml(arguments, options)}};
+      {scene_file, SceneXml(model_file, anatomy, options.sides)},
+      {model_file, ModelXml(arguments, anatomy, options)}};
   // What MuJoCo does not accept is not a model and is not written.
   const std::string checked =
       HasSimulation() ? LoadSimulation().check_model(files, ChosenPlugin(arguments.plugin))
@@ -131,6 +135,7 @@ void AddGenerateCommand(CLI::App& program) {
                    "native position servo a coordinate, for where no plugin runs)")
       ->type_name("WORD");
   AddRhythmArguments(*verb, arguments->rhythm);
+  AddAnatomyArguments(*verb, arguments->anatomy);
   verb->add_flag("--offsets", arguments->offsets,
                  "With commands for shrug and protraction on top of the rhythm");
   verb->add_flag("--rates", arguments->rates,
@@ -140,7 +145,7 @@ void AddGenerateCommand(CLI::App& program) {
   verb->add_flag("--json", arguments->json, "Say what was written as JSON");
   verb->footer(
       "Examples:\n  girdle generate --out my_model\n  girdle generate --side both --assembly loop "
-      "--out my_model");
+      "--out my_model\n  girdle generate --stature 1.85 --body-mass 80 --out my_model");
   verb->callback([arguments] { Generate(*arguments); });
 }
 

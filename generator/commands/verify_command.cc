@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "commands/anatomy_arguments.h"
 #include "commands/output_file.h"
 #include "commands/progress.h"
 #include "commands/rhythm_arguments.h"
@@ -17,16 +18,18 @@ namespace {
 
 struct VerifyArguments {
   RhythmArguments rhythm;
+  AnatomyArguments anatomy;
   std::string model;
   std::string plugin;
   bool json = false;
 };
 
 bool Verify(const VerifyArguments& arguments) {
+  const Anatomy anatomy = ChosenAnatomy(arguments.anatomy);
   TerminalProgress progress("verifying");
-  const VerifyResult result =
-      LoadSimulation().verify(arguments.model, ChosenPlugin(arguments.plugin),
-                              OverrideFrom(arguments.rhythm), arguments.json, std::ref(progress));
+  const VerifyResult result = LoadSimulation().verify(
+      arguments.model, ChosenPlugin(arguments.plugin), OverrideFrom(arguments.rhythm), anatomy,
+      arguments.json, std::ref(progress));
   progress.Clear();
   Print(result.report);
   return result.passed;
@@ -41,6 +44,7 @@ void AddVerifyCommand(CLI::App& program, int& status) {
       ->type_name("MODEL")
       ->required();
   AddRhythmArguments(*verb, arguments->rhythm);
+  AddAnatomyArguments(*verb, arguments->anatomy);
   AddPluginArgument(*verb, arguments->plugin);
   verb->add_flag("--json", arguments->json, "The report as JSON");
   verb->footer(

@@ -19,6 +19,7 @@ constexpr double kDrawnScapula_mm = 129.1;   // TS to PAC
 constexpr double kDrawnSternum_mm = 136.8;   // IJ to PX
 constexpr double kDrawnClavicle_mm = 157.5;  // SC to PAC
 constexpr double kDrawnHumerus_mm = 287.1;   // GH to the elbow's midpoint
+constexpr double kDrawnElbow_mm = 68.214;    // EM to EL
 
 constexpr Vector3 kForward{1, 0, 0};
 constexpr Vector3 kUp{0, 1, 0};
@@ -544,8 +545,10 @@ constexpr Vector3 kElbowSpool_mm{4, -3, 0};  // its middle, from that of the epi
 // The lesser tubercle, upward.
 constexpr SpoolStation kLesserTubercle[] = {{-22, 3}, {-10, 7}, {0, 8.5}, {7, 6}};
 constexpr Vector3 kLesserTubercle_mm{14, -5, 10};  // from GH
-// The head's radius as a share of the humerus's length: it leaves the glenoid a gap for cartilage.
-constexpr double kHeadRadius = 0.079;
+// Up to here, as `up` above, the bone is as broad as the elbow; above the shaft begins.
+constexpr double kEndOfElbow = 0.22;
+// The head's radius as a share of the distance GC-GH: it leaves the glenoid a gap for cartilage.
+constexpr double kHeadRadius = 0.98196;
 
 }  // namespace
 
@@ -591,18 +594,23 @@ TriangleMesh HumerusMesh(const Anatomy& anatomy) {
   const Vector3 lateral =
       glm::normalize(anatomy.landmark_m(Landmark::kEL) - anatomy.landmark_m(Landmark::kEM));
   const double mm = glm::length(elbow) / kDrawnHumerus_mm;
+  const double elbow_mm =
+      glm::distance(anatomy.landmark_m(Landmark::kEL), anatomy.landmark_m(Landmark::kEM)) /
+      kDrawnElbow_mm;
   TriangleMesh mesh;
 
   std::vector<Station> shaft;
   for (const HumerusStation& part : kHumerus) {
+    const double width_mm = std::lerp(elbow_mm, mm, std::min(part.up / kEndOfElbow, 1.0));
     shaft.push_back({Mix(elbow, {0, 0, 0}, part.up) + part.forward_mm * mm * kForward +
                          part.lateral_mm * mm * kRight,
-                     part.half_width_mm * mm * lateral, part.half_depth_mm * mm});
+                     part.half_width_mm * width_mm * lateral, part.half_depth_mm * mm});
   }
   AppendTube(Rounded(shaft), kPointsAround, mesh);
 
   std::vector<Ring> head;
-  const double radius_m = kHeadRadius * glm::length(elbow);
+  const double radius_m = kHeadRadius * glm::distance(anatomy.landmark_m(Landmark::kGC),
+                                                      anatomy.landmark_m(Landmark::kGH));
   for (int i = 1; i <= kHeadRings; ++i) {
     const double from_pole = kPi * i / (kHeadRings + 1);
     head.push_back(Ellipse(radius_m * std::cos(from_pole) * kUp,
@@ -613,7 +621,7 @@ TriangleMesh HumerusMesh(const Anatomy& anatomy) {
 
   std::vector<Station> spool;
   for (const SpoolStation& part : kElbowSpool) {
-    spool.push_back({elbow + kElbowSpool_mm * mm + part.along_mm * mm * lateral,
+    spool.push_back({elbow + kElbowSpool_mm * mm + part.along_mm * elbow_mm * lateral,
                      part.radius_mm * mm * kForward, part.radius_mm * mm});
   }
   AppendTube(Rounded(spool), kPointsAroundSmallParts, mesh);

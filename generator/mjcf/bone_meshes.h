@@ -40,8 +40,8 @@ struct TriangleMesh {
 [[nodiscard]] TriangleMesh ClavicleMesh(const Anatomy& anatomy);
 
 /// Returns the humerus in the humerus frame (origin GH, y from the elbow's midpoint to GH): the
-/// head about GH, both tubercles, the shaft, the epicondyles at EM and EL, and the joint surface
-/// between them.
+/// head about GH, which fits the glenoid at GC, both tubercles, the shaft, the epicondyles at EM
+/// and EL, and the joint surface between them.
 [[nodiscard]] TriangleMesh HumerusMesh(const Anatomy& anatomy);
 
 }  // namespace girdle

@@ -4,18 +4,28 @@
 #include "mjcf/scene.h"
 
 #include <array>
+#include <glm/geometric.hpp>
 
 #include "mjcf/xml_element.h"
+#include "tables/built_in.h"
 
 namespace girdle {
 namespace {
 
-// What the cameras look at: between the jugular notch and the arm, in the world [m].
+// What the cameras look at, in the world [m]: between the jugular notch and the arm of the built-in
+// anatomy. They look at another person's from as much farther as that arm reaches farther.
 const Vector3 kCenter_m{-0.05, -0.22, 1.33};
 constexpr double kExtent_m = 0.7;
 constexpr double kCameraDistance_m = 1.0;
 // Both shoulders are that much wider than one.
 constexpr double kBothSides = 1.5;
+
+// Length of the bones from the thorax's origin to the elbow.
+double Reach_m(const Anatomy& anatomy) {
+  return glm::length(anatomy.landmark_m(Landmark::kSC)) +
+         glm::length(anatomy.landmark_m(Landmark::kPAC)) +
+         glm::length(anatomy.landmark_m(Landmark::kGH)) + glm::length(anatomy.elbow_m());
+}
 
 // What the cameras see.
 struct View {
@@ -23,16 +33,21 @@ struct View {
   double scale;  ///< of extent and distance
 };
 
-View ViewOf(Sides sides) {
+View ViewOf(const Anatomy& anatomy, Sides sides) {
+  const Anatomy adult = BuiltInAnatomy();
+  const double size = Reach_m(anatomy) / Reach_m(adult);
+  const Vector3 notch_m{0, 0, adult.jugular_notch_height_m};
+  const Vector3 raised_m{0, 0, anatomy.jugular_notch_height_m - adult.jugular_notch_height_m};
+  const Vector3 center_m = kCenter_m + raised_m + (size - 1) * (kCenter_m - notch_m);
   switch (sides) {
     case Sides::kRight:
-      return {kCenter_m, 1};
+      return {center_m, size};
     case Sides::kLeft:
-      return {{kCenter_m.x, -kCenter_m.y, kCenter_m.z}, 1};
+      return {{center_m.x, -center_m.y, center_m.z}, size};
     case Sides::kBoth:
       break;
   }
-  return {{kCenter_m.x, 0, kCenter_m.z}, kBothSides};
+  return {{center_m.x, 0, center_m.z}, size * kBothSides};
 }
 
 void WriteCamera(XmlElement& world, const View& view, const char* name, const Vector3& direction,
@@ -45,8 +60,8 @@ void WriteCamera(XmlElement& world, const View& view, const char* name, const Ve
 
 }  // namespace
 
-std::string SceneXml(const std::string& model_file, Sides sides) {
-  const View view = ViewOf(sides);
+std::string SceneXml(const std::string& model_file, const Anatomy& anatomy, Sides sides) {
+  const View view = ViewOf(anatomy, sides);
   XmlFile file("mujoco");
   XmlElement root = file.root();
   root.Set("model", "girdle scene");

@@ -7,11 +7,14 @@
 #include <string>
 
 #include "mjcf/shoulder_model.h"
+#include "tables/anatomy.h"
 
 namespace girdle {
 
 /// Returns a scene as XML: floor, lights and the cameras front, back, above and oblique around the
-/// model in `model_file`, which it includes and which has these sides.
-[[nodiscard]] std::string SceneXml(const std::string& model_file, Sides sides = Sides::kRight);
+/// model in `model_file`, which it includes and which has these sides. The cameras see the whole
+/// shoulder of a person with `anatomy`.
+[[nodiscard]] std::string SceneXml(const std::string& model_file, const Anatomy& anatomy,
+                                   Sides sides = Sides::kRight);
 
 }  // namespace girdle

@@ -22,9 +22,6 @@
 namespace girdle {
 namespace {
 
-// Height of the jugular notch of a standing adult, for the scene: share of the stature (Drillis and
-// Contini 1966) times an average stature [m].
-constexpr double kJugularNotchHeight_m = 0.82 * 1.71;
 constexpr double kTimestep_s = 0.002;
 // How far a user may push a joint off its target.
 constexpr double kTrimRange_rad = 30 * kRadiansPerDegree;
@@ -305,7 +302,7 @@ class ShoulderModelWriter {
   void WriteBodies(XmlElement world) const {
     XmlElement thorax = world.Add("body")
                             .Set("name", "thorax")
-                            .Set("pos", Vector3{0, 0, kJugularNotchHeight_m})
+                            .Set("pos", Vector3{0, 0, anatomy_.jugular_notch_height_m})
                             .Set("quat", ThoraxInWorld())
                             .Set("childclass", "girdle");
     WriteInertial(thorax, Segment::kThorax, sides_.front());

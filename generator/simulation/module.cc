@@ -202,13 +202,14 @@ std::string KindOf(const ShoulderSimulation& simulation) {
 }
 
 VerifyResult Verify(const std::string& model_path, const std::string& plugin,
-                    const RhythmOverride& override, bool json, const ProgressSink& progress) {
+                    const RhythmOverride& override, const Anatomy& anatomy, bool json,
+                    const ProgressSink& progress) {
   const EngineWatch watch;
   LoadPlugin(plugin);
   ShoulderSimulation simulation(LoadModel(model_path), model_path);
   const AssembledRhythm rhythm = AssembledOf(simulation, RhythmOf(simulation, override));
   simulation.Follow(rhythm);
-  ResidualReport report = MeasureResiduals(simulation, rhythm, BuiltInAnatomy(), progress);
+  ResidualReport report = MeasureResiduals(simulation, rhythm, anatomy, progress);
   const RhythmOptions& options = rhythm.rhythm().options();
   report.rhythm = "interpolation " + std::string(Name(options.interpolation)) + ", closure " +
                   std::string(Name(options.closure)) + ", range " +

@@ -14,6 +14,7 @@
 
 #include "kinematics/model_names.h"
 #include "kinematics/shoulder_rhythm.h"
+#include "tables/anatomy.h"
 
 namespace girdle {
 
@@ -67,8 +68,10 @@ struct SimulationModule {
                                 const MotionRequest& request, const RhythmOverride& rhythm,
                                 const TextSink& trace, const TextSink& controls,
                                 const ProgressSink& progress);
+  /// Holds the model's bones against `anatomy`.
   VerifyResult (*verify)(const std::string& model, const std::string& plugin,
-                         const RhythmOverride& rhythm, bool json, const ProgressSink& progress);
+                         const RhythmOverride& rhythm, const Anatomy& anatomy, bool json,
+                         const ProgressSink& progress);
 };
 
 /// Name of the function that returns the SimulationModule, of type SimulationModuleFunction.

@@ -356,10 +356,16 @@ class ResidualMeter {
             "emergent AC", std::string(kCoordinateNames[3 + i]), "deg", std::nullopt));
       }
     }
-    lines.push_back(gliding_.RootMeanSquare("scapulothoracic", "TS, AI to ellipsoid, rms", "mm",
-                                            is_loop_ ? kLoopGlidingRms_mm : kGlidingRms_mm));
+    // Of an ellipsoid that was not fitted to these bones nothing is promised.
+    const double size = anatomy_.gliding.radii_m.y / BuiltInAnatomy().gliding.radii_m.y;
+    const auto tolerance_mm = [&](double adult_mm) {
+      return anatomy_.is_gliding_fitted ? std::optional(size * adult_mm) : std::nullopt;
+    };
     lines.push_back(
-        gliding_.Worst("scapulothoracic", "TS, AI to ellipsoid, worst", "mm", kGlidingWorst_mm));
+        gliding_.RootMeanSquare("scapulothoracic", "TS, AI to ellipsoid, rms", "mm",
+                                tolerance_mm(is_loop_ ? kLoopGlidingRms_mm : kGlidingRms_mm)));
+    lines.push_back(gliding_.Worst("scapulothoracic", "TS, AI to ellipsoid, worst", "mm",
+                                   tolerance_mm(kGlidingWorst_mm)));
     if (!modelled_gliding_.empty()) {
       lines.push_back(modelled_gliding_.Worst("scapulothoracic", "the same outside measured data",
                                               "mm", std::nullopt));

@@ -77,6 +77,14 @@ struct Ellipsoid {
   Vector3 radii_m{0, 0, 0};
 };
 
+/// Stature of the person of data/ [m]. The specimen's own is not known; a man with a humerus of
+/// some 33 cm over all, head and joint surface included, is as tall (Trotter and Gleser 1952: 3.08
+/// x humerus + 70.45 cm, standard error 4 cm).
+inline constexpr double kAdultStature_m = 1.71;
+/// Height of a standing person's jugular notch as a share of the stature (shoulder height of
+/// Drillis and Contini 1966, which is that of the notch).
+inline constexpr double kJugularNotchShare = 0.82;
+
 struct Anatomy {
   std::array<Vector3, kLandmarkCount> landmarks_m{};  ///< each in the frame of its segment
   std::array<SegmentInertia, kSegmentCount> segments{};
@@ -85,6 +93,11 @@ struct Anatomy {
   std::array<CoordinateRange, 3> scapulothoracic_ranges{};
   Ellipsoid ribcage;  ///< what is drawn as the thorax
   Ellipsoid gliding;  ///< what the scapula glides on
+  /// Whether `gliding` was fitted to these bones, or to such of another size: only then do TS and
+  /// AI keep near it.
+  bool is_gliding_fitted = true;
+  /// Of IJ above the floor in standing.
+  double jugular_notch_height_m = kJugularNotchShare * kAdultStature_m;
 
   [[nodiscard]] const Vector3& landmark_m(Landmark landmark) const noexcept {
     return landmarks_m[static_cast<std::size_t>(landmark)];

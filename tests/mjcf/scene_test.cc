@@ -11,12 +11,14 @@
 #include <vector>
 
 #include "mjcf/parsed_xml.h"
+#include "tables/body_size.h"
+#include "tables/built_in.h"
 
 namespace girdle {
 namespace {
 
 const ParsedXml& Scene() {
-  static const ParsedXml kScene(SceneXml("shoulder.xml"));
+  static const ParsedXml kScene(SceneXml("shoulder.xml", BuiltInAnatomy()));
   return kScene;
 }
 

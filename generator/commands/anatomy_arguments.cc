@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "commands/anatomy_arguments.h"
+
+#include <fstream>
+#include <stdexcept>
+
+#include "tables/built_in.h"
+#include "tables/input_error.h"
+#include "tables/number_text.h"
+#include "tables/person_landmarks.h"
+#include "tables/text_file.h"
+
+namespace girdle {
+namespace {
+
+std::string OptionOf(const BodyMeasure& measure) { return "--" + std::string(measure.name); }
+
+BodySize ChosenSize(const AnatomyArguments& arguments) {
+  BodySize size;
+  for (std::size_t i = 0; i < kBodyMeasures.size(); ++i) {
+    const BodyMeasure& measure = kBodyMeasures[i];
+    const std::string& text = arguments.measures[i];
+    if (text.empty()) {
+      continue;
+    }
+    size.*measure.value = FiniteNumber(text);
+    if (!(size.*measure.value)) {
+      throw InputError(OptionOf(measure) + " '" + text + "': not a finite number. Give " +
+                       (measure.unit == "kg" ? "kilograms" : "meters") + " such as " +
+                       OptionOf(measure) + " " + std::string(measure.example));
+    }
+  }
+  try {
+    CheckBodySize(size);
+  } catch (const std::invalid_argument& error) {
+    throw InputError("--" + std::string(error.what()));
+  }
+  return size;
+}
+
+Anatomy AnatomyOf(const std::string& file, const BodySize& size) {
+  if (size.clavicle_length_m || size.scapula_length_m || size.humerus_length_m) {
+    throw InputError("--anatomy " + file +
+                     ": the lengths of the bones are those of its landmarks. Leave out "
+                     "--clavicle-length, --scapula-length and --humerus-length");
+  }
+  const Anatomy adult = BuiltInAnatomy();
+  std::ifstream in = OpenTextFile(file);
+  Anatomy anatomy = ReadPersonAnatomy(in, file, adult);
+  if (size.stature_m) {
+    anatomy.jugular_notch_height_m = JugularNotchHeight_m(*size.stature_m);
+  }
+  return size.body_mass_kg ? WithBodyMass(anatomy, adult, *size.body_mass_kg) : anatomy;
+}
+
+}  // namespace
+
+void AddAnatomyArguments(CLI::App& verb, AnatomyArguments& arguments) {
+  verb.add_option("--anatomy", arguments.file,
+                  "Landmarks of one person, a CSV in the format of data/landmarks.csv; in place of "
+                  "the built-in adult")
+      ->type_name("FILE");
+  for (std::size_t i = 0; i < kBodyMeasures.size(); ++i) {
+    const BodyMeasure& measure = kBodyMeasures[i];
+    verb.add_option(OptionOf(measure), arguments.measures[i], std::string(measure.meaning))
+        ->type_name(measure.unit == "kg" ? "KG" : "M");
+  }
+}
+
+Anatomy ChosenAnatomy(const AnatomyArguments& arguments) {
+  const BodySize size = ChosenSize(arguments);
+  return arguments.file.empty() ? ScaledAnatomy(BuiltInAnatomy(), size)
+                                : AnatomyOf(arguments.file, size);
+}
+
+}  // namespace girdle
