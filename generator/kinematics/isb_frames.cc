@@ -52,21 +52,16 @@ LandmarkFlaw Swapped(std::string_view blamed, std::string_view other, const std:
 
 // Of a thorax whose side is not looked at.
 std::optional<LandmarkFlaw> FlawOfThorax(const ThoraxPoints& thorax) {
-  const Vector3 upper_m = (thorax.ij_m + thorax.c7_m) / 2.0;
+  const NamedPoint others[] = {{"PX", thorax.px_m}, {"C7", thorax.c7_m}, {"T8", thorax.t8_m}};
+  for (const NamedPoint& other : others) {
+    if (glm::distance(thorax.sc_m, other.position_m) < glm::distance(thorax.sc_m, thorax.ij_m)) {
+      return Swapped(other.name, "IJ", "SC lies nearer to " + Text(other.name) + " than to IJ");
+    }
+  }
+  if (glm::dot(thorax.ij_m - thorax.px_m, thorax.c7_m - thorax.t8_m) <= 0) {
+    return Swapped("T8", "C7", "T8 to C7 does not go up as PX to IJ does");
+  }
   const Vector3 lower_m = (thorax.px_m + thorax.t8_m) / 2.0;
-  const Vector3 up = upper_m - lower_m;
-  if (glm::dot(thorax.ij_m - thorax.px_m, up) <= 0) {
-    return Swapped("PX", "IJ", "PX lies above IJ");
-  }
-  if (glm::dot(thorax.c7_m - thorax.t8_m, up) <= 0) {
-    return Swapped("T8", "C7", "T8 lies above C7");
-  }
-  if (glm::distance(thorax.sc_m, thorax.c7_m) < glm::distance(thorax.sc_m, thorax.ij_m)) {
-    return Swapped("C7", "IJ", "SC lies nearer to C7 than to IJ");
-  }
-  if (glm::distance(thorax.sc_m, thorax.px_m) < glm::distance(thorax.sc_m, thorax.ij_m)) {
-    return Swapped("PX", "IJ", "SC lies nearer to PX than to IJ");
-  }
   if (const auto flaw = FlawOfPlane({"IJ", thorax.ij_m}, {"C7", thorax.c7_m},
                                     {"the middle of PX and T8", lower_m})) {
     return LandmarkFlaw{"T8", flaw->message};
@@ -155,7 +150,8 @@ std::optional<LandmarkFlaw> FlawOfRightShoulder(const ThoraxPoints& thorax,
   if (is_left_thorax) {
     return LandmarkFlaw{"SC",
                         "SC lies to the left of IJ and C7, but the scapula is a right one. Give "
-                        "the right SC, or negate z_m in the thorax's rows if they are mirrored"};
+                        "the right SC, swap the names of PX and C7 if they have each other's "
+                        "place, or negate z_m in the thorax's rows if they are mirrored"};
   }
   if (is_left_scapula) {
     return LandmarkFlaw{"PC",

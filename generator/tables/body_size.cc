@@ -42,7 +42,7 @@ std::string Advice(const BodyMeasure& measure, double value) {
       if (IsWithin(measure, value / unit.per_unit)) return advice(unit);
     }
   }
-  return "Give one such as " + std::string(measure.example);
+  return "Give one such as " + std::string(measure.example) + " " + std::string(measure.unit);
 }
 
 // The way round the trunk in its median plane.

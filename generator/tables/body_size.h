@@ -14,11 +14,11 @@ namespace girdle {
 
 /// What is known of a person; nothing where it is not.
 struct BodySize {
-  std::optional<double> clavicle_length_m;  ///< SC to PAC
-  std::optional<double> scapula_length_m;   ///< TS to PAC
-  std::optional<double> humerus_length_m;   ///< GH to the middle of the epicondyles
-  std::optional<double> body_mass_kg;
-  std::optional<double> stature_m;
+  std::optional<double> clavicle_length_m = std::nullopt;  ///< SC to PAC
+  std::optional<double> scapula_length_m = std::nullopt;   ///< TS to PAC
+  std::optional<double> humerus_length_m = std::nullopt;   ///< GH to the middle of the epicondyles
+  std::optional<double> body_mass_kg = std::nullopt;
+  std::optional<double> stature_m = std::nullopt;
 };
 
 /// One of the figures: its name, what it may be, and an example.
