@@ -84,10 +84,10 @@ inline constexpr double kNearlyOnALine = 0.05;
                                                               const ScapulaPoints& scapula,
                                                               const HumerusPoints& humerus);
 
-/// Returns whether the humerus is turned about its long axis as no shoulder turns it, which is what
-/// EM and EL in each other's place look like. The turn is what is left of `q_TH` when the arm is
-/// swung back to hanging by the shortest way: within 90 deg of none in living shoulders, here 120.
-/// Straight up the turn has no meaning, and the result is false.
+/// Returns whether the humerus is turned by more than 120 deg about its long axis, which is what EM
+/// and EL in each other's place look like. The turn is what is left of `q_TH` when the arm is swung
+/// back to hanging by the shortest way: -96 to 68 deg wherever the measured rhythm and what
+/// continues it take the arm. Straight up the turn has no meaning, and the result is false.
 [[nodiscard]] bool IsHumerusTurnedAround(const Quaternion& q_TH) noexcept;
 
 }  // namespace girdle

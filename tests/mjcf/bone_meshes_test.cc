@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "kinematics/random_rotations.h"
+#include "tables/body_size.h"
 #include "tables/built_in.h"
 
 namespace girdle {
@@ -349,6 +350,43 @@ TEST(HumerusMesh, LeavesRoomForCartilageBetweenHeadAndGlenoid) {
   const Anatomy anatomy = BuiltInAnatomy();
   EXPECT_LT(RadiusOfTheHead_m(HumerusMesh(anatomy)),
             glm::length(anatomy.landmark_m(Landmark::kGC) - anatomy.landmark_m(Landmark::kGH)));
+}
+
+// The head fits the glenoid that it turns in, whatever the length of the shaft.
+TEST(HumerusMesh, LeavesRoomForCartilageWithALongShaft) {
+  const Anatomy anatomy = ScaledAnatomy(BuiltInAnatomy(), {.humerus_length_m = 0.4});
+  const double to_glenoid_m =
+      glm::length(anatomy.landmark_m(Landmark::kGC) - anatomy.landmark_m(Landmark::kGH));
+  const double radius_m = RadiusOfTheHead_m(HumerusMesh(anatomy));
+  EXPECT_LT(radius_m, to_glenoid_m);
+  EXPECT_GT(radius_m, 0.9 * to_glenoid_m);
+}
+
+// Extent of the vertices in the lowest tenth of the bone along EM-EL.
+double ElbowWidth_m(const Anatomy& anatomy) {
+  const Vector3 lateral =
+      glm::normalize(anatomy.landmark_m(Landmark::kEL) - anatomy.landmark_m(Landmark::kEM));
+  double lowest_m = 1;
+  double highest_m = -1;
+  for (const Vector3& vertex : HumerusMesh(anatomy).vertices_m) {
+    if (vertex.y > 0.9 * anatomy.elbow_m().y) continue;
+    lowest_m = std::min(lowest_m, glm::dot(vertex, lateral));
+    highest_m = std::max(highest_m, glm::dot(vertex, lateral));
+  }
+  return highest_m - lowest_m;
+}
+
+TEST(HumerusMesh, IsAsBroadAsTheEpicondylesAreApart) {
+  for (const double times : {0.8, 1.0, 1.25}) {
+    Anatomy anatomy = BuiltInAnatomy();
+    Vector3& em_m = anatomy.landmarks_m[static_cast<std::size_t>(Landmark::kEM)];
+    Vector3& el_m = anatomy.landmarks_m[static_cast<std::size_t>(Landmark::kEL)];
+    const Vector3 middle_m = anatomy.elbow_m();
+    em_m = middle_m + times * (em_m - middle_m);
+    el_m = middle_m + times * (el_m - middle_m);
+    const double apart_m = glm::distance(em_m, el_m);
+    EXPECT_NEAR(ElbowWidth_m(anatomy) / apart_m, 1, 0.05) << times;
+  }
 }
 
 // Each bone is as long as its landmarks are apart.

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <ostream>
 #include <string>
@@ -74,6 +76,67 @@ INSTANTIATE_TEST_SUITE_P(Names, SceneCamera,
                          testing::Values(Camera{"front", {1, 0, 0}}, Camera{"back", {-1, 0, 0}},
                                          Camera{"above", {0, 0, 1}},
                                          Camera{"oblique", {0.6, -0.64, 0.48}}));
+
+// --- Other people ---------------------------------------------------------------------------
+
+struct Person {
+  const char* name;
+  BodySize size;
+};
+
+void PrintTo(const Person& person, std::ostream* out) { *out << person.name; }
+
+// The bones from the notch to the elbow of an arm held sideways or hanging, in the world.
+std::vector<Vector3> Silhouette_m(const Anatomy& anatomy) {
+  const Vector3 notch_m{0, 0, anatomy.jugular_notch_height_m};
+  const double girdle_m = glm::length(anatomy.landmark_m(Landmark::kSC)) +
+                          glm::length(anatomy.landmark_m(Landmark::kPAC));
+  const Vector3 shoulder_m = notch_m - Vector3(0, girdle_m, 0);
+  const double arm_m = glm::length(anatomy.elbow_m());
+  return {notch_m, shoulder_m, shoulder_m - Vector3(0, arm_m, 0),
+          shoulder_m - Vector3(0, 0, arm_m)};
+}
+
+// Tangent of half of MuJoCo's default vertical field of view, 45 deg.
+constexpr double kHalfPicture = 0.41421356;
+
+// Half the picture's height that the bones take up, seen by the camera `front`: 1 is its edge.
+double ShareOfPicture(const BodySize& size) {
+  const Anatomy anatomy = ScaledAnatomy(BuiltInAnatomy(), size);
+  const ParsedXml scene(SceneXml("shoulder.xml", anatomy));
+  const Vector3 camera_m = VectorIn(scene.Named("camera", "front"), "pos");
+  double largest = 0;
+  for (const Vector3& point_m : Silhouette_m(anatomy)) {
+    const Vector3 off_m = point_m - camera_m;
+    largest = std::max({largest, std::abs(off_m.y / off_m.x) / kHalfPicture,
+                        std::abs(off_m.z / off_m.x) / kHalfPicture});
+  }
+  return largest;
+}
+
+class SceneOf : public testing::TestWithParam<Person> {};
+
+// As much of the picture as the built-in shoulder, give or take another shape.
+TEST_P(SceneOf, FillsThePictureWithThePerson) {
+  constexpr double kOtherShape = 0.1;
+  const double share = ShareOfPicture(GetParam().size);
+  EXPECT_LT(share, 1);
+  EXPECT_NEAR(share, ShareOfPicture({}), kOtherShape);
+}
+
+TEST_P(SceneOf, LooksAtThePerson) {
+  const Anatomy anatomy = ScaledAnatomy(BuiltInAnatomy(), GetParam().size);
+  const ParsedXml scene(SceneXml("shoulder.xml", anatomy));
+  const double center_m = VectorIn(scene.Child("statistic"), "center").z;
+  EXPECT_LT(center_m, anatomy.jugular_notch_height_m);
+  EXPECT_GT(center_m, anatomy.jugular_notch_height_m - glm::length(anatomy.elbow_m()));
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, SceneOf,
+                         testing::Values(Person{"child", {.stature_m = 1.1}},
+                                         Person{"tall", {.stature_m = 2.1}},
+                                         Person{"long arm", {.humerus_length_m = 0.38}},
+                                         Person{"narrow", {.clavicle_length_m = 0.12}}));
 
 TEST(Scene, IncludesTheModel) {
   EXPECT_EQ(TextOf(Scene().Child("include"), "file"), "shoulder.xml");
