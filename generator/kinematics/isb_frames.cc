@@ -62,8 +62,8 @@ std::optional<LandmarkFlaw> FlawOfThorax(const ThoraxPoints& thorax) {
     return Swapped("T8", "C7", "T8 to C7 does not go up as PX to IJ does");
   }
   const Vector3 lower_m = (thorax.px_m + thorax.t8_m) / 2.0;
-  if (const auto flaw = FlawOfPlane({"IJ", thorax.ij_m}, {"C7", thorax.c7_m},
-                                    {"the middle of PX and T8", lower_m})) {
+  if (auto flaw = FlawOfPlane({"IJ", thorax.ij_m}, {"C7", thorax.c7_m},
+                              {"the middle of PX and T8", lower_m})) {
     return LandmarkFlaw{"T8", flaw->message};
   }
   const Vector3 forward =
@@ -124,10 +124,10 @@ double DistanceFromLine(const Vector3& point, const Vector3& a, const Vector3& b
 std::optional<LandmarkFlaw> FlawOfRightShoulder(const ThoraxPoints& thorax,
                                                 const ScapulaPoints& scapula,
                                                 const HumerusPoints& humerus) {
-  if (const auto flaw = FlawOfThorax(thorax)) {
+  if (auto flaw = FlawOfThorax(thorax)) {
     return flaw;
   }
-  if (const auto flaw = FlawOfScapula(scapula)) {
+  if (auto flaw = FlawOfScapula(scapula)) {
     return flaw;
   }
   if (const auto flaw =

@@ -77,9 +77,9 @@ struct Ellipsoid {
   Vector3 radii_m{0, 0, 0};
 };
 
-/// Stature of the person of data/ [m]. The specimen's own is not known; a man with a humerus of
-/// some 33 cm over all, head and joint surface included, is as tall (Trotter and Gleser 1952: 3.08
-/// x humerus + 70.45 cm, standard error 4 cm).
+/// Stature of the person of data/ [m]. The specimen's own is not known to us. It is that of a man
+/// with such a humerus (Trotter and Gleser 1952: 3.08 x length + 70.45 cm, standard error 4 cm),
+/// which over all is GH to elbow, 2.3 cm of head above and 1.5 cm of joint surface below.
 inline constexpr double kAdultStature_m = 1.71;
 /// Height of a standing person's jugular notch as a share of the stature (shoulder height of
 /// Drillis and Contini 1966, which is that of the notch).

@@ -92,6 +92,14 @@ def test_a_command_line_of_the_readme_works(line: str, checkout: Path, program: 
     run(program, *words[1:], folder=checkout)
 
 
+def test_the_sizes_of_the_readme_can_be_typed(checkout: Path, program: Path) -> None:
+    """One after the other: a model is verified where it was generated."""
+    lines = [line for text in blocks("sh") for line in text.splitlines() if line[:7] == "girdle "]
+    assert len(lines) > 3
+    for line in lines:
+        run(program, *shlex.split(line)[1:], folder=checkout)
+
+
 def test_the_report_of_the_readme_has_the_lines_of_the_program(
     checkout: Path, program: Path
 ) -> None:
