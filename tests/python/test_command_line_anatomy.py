@@ -84,6 +84,29 @@ def test_a_model_verifies_as_the_person_it_was_made_for(
 
 
 @pytest.mark.parametrize(
+    "kind",
+    [
+        ("--assembly", "loop"),
+        ("--assembly", "loop", "--lead", "scapula"),
+        ("--side", "left"),
+        ("--side", "both"),
+        ("--actuation", "position"),
+    ],
+    ids=words,
+)
+@pytest.mark.parametrize(
+    "person", [("--stature", "1.5"), ("--humerus-length", "0.33", "--clavicle-length", "0.14")],
+    ids=words,
+)
+def test_every_kind_of_model_has_the_bones_of_its_person(
+    girdle_fine: Girdle, tmp_path: Path, kind: Options, person: Options
+) -> None:
+    girdle_fine("generate", "--out", "model", *kind, *person)
+    (scene,) = (tmp_path / "model").glob("scene*.xml")
+    assert json.loads(girdle_fine("verify", scene, "--json", *person).text)["passed"]
+
+
+@pytest.mark.parametrize(
     ("made_for", "held_against"),
     [
         (("--humerus-length", "0.33"), ()),
