@@ -8,6 +8,13 @@
 
 namespace girdle {
 
+Quaternion ThoraxFrame(const Vector3& ij, const Vector3& px, const Vector3& c7,
+                       const Vector3& t8) noexcept {
+  const Vector3 y = glm::normalize((ij + c7) / 2.0 - (px + t8) / 2.0);
+  const Vector3 z = glm::normalize(glm::cross(ij - c7, y));
+  return glm::quat_cast(Matrix3(glm::cross(y, z), y, z));
+}
+
 Quaternion ScapulaFrame(const Vector3& pac, const Vector3& ts, const Vector3& ai) noexcept {
   const Vector3 z = glm::normalize(pac - ts);
   const Vector3 x = glm::normalize(glm::cross(pac - ai, z));

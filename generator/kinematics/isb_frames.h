@@ -13,6 +13,11 @@
 
 namespace girdle {
 
+/// Thorax: y from the middle of PX and T8 to that of IJ and C7, z perpendicular to the plane
+/// through IJ, C7 and the middle of PX and T8, to the right (ISB 2.3.1). Its origin is IJ.
+[[nodiscard]] Quaternion ThoraxFrame(const Vector3& ij, const Vector3& px, const Vector3& c7,
+                                     const Vector3& t8) noexcept;
+
 /// Scapula: z from TS to PAC, x perpendicular to the plane AI-PAC-TS, forward (ISB 2.3.3 with PAC
 /// for AA).
 [[nodiscard]] Quaternion ScapulaFrame(const Vector3& pac, const Vector3& ts,
