@@ -26,6 +26,8 @@ constexpr double kRestSpeed_rad_per_s = 1e-6;
 // Landmarks of one bone keep their distances; PAC may be on the clavicle, which a soft joint lets
 // go by a tenth of a millimeter.
 constexpr double kRigid_mm = 1;
+// Directions that are the same but for what a servo at rest leaves.
+constexpr double kSameDirection_rad = 0.01 * kRadiansPerDegree;
 
 std::size_t Index(GirdleFigure figure) { return static_cast<std::size_t>(figure); }
 
@@ -114,6 +116,13 @@ GirdleFigures ChangeDifferences(const SurveyedPosition& start, const SurveyedPos
   return Differences(model_deg, q_TS, position.measured_deg, position.measured_q_TS);
 }
 
+// Whether the measured rhythm answers for another direction than the arm's, by more than what a
+// servo at rest leaves.
+bool IsFar(const ArmCommand& used, const ArmAngles& reached) {
+  return std::abs(used.elevation_rad - reached.elevation_rad) > kSameDirection_rad ||
+         std::abs(std::remainder(used.plane_rad - reached.plane_rad, 2 * kPi)) > kSameDirection_rad;
+}
+
 std::string PlaceOf(const SurveyedPosition& position) {
   return "elevation " + RoundedText(DegreesFromRadians(position.asked_elevation_rad), 1) +
          ", plane " + RoundedText(DegreesFromRadians(position.asked_plane_rad), 1);
@@ -192,7 +201,7 @@ class Surveyor {
     position.reached = ArmAnglesFromRotation(position.pose.q_TH);
     const ShoulderSolution measured =
         rhythm_.Solve({position.reached.elevation_rad, position.reached.plane_rad});
-    if (measured.clamped) {
+    if (IsFar(measured.used, position.reached)) {
       position.not_reached = "the arm goes to elevation " +
                              RoundedText(DegreesFromRadians(position.reached.elevation_rad), 1) +
                              ", plane " +
