@@ -29,11 +29,6 @@ constexpr std::array<std::pair<Segment, std::string_view>, 3> kTriangleNames = {
     {Segment::kHumerus, "GH, EM and EL"},
 }};
 
-// A left shoulder is looked at in a mirror, z to -z of the world, and then is a right one.
-Vector3 Mirrored(const Vector3& position_m) { return {position_m.x, position_m.y, -position_m.z}; }
-// The frame's z is turned as well, so that it stays right-handed: R' = M R M, M = diag(1, 1, -1).
-Quaternion Mirrored(const Quaternion& q) { return {q.w, -q.x, -q.y, q.z}; }
-
 }  // namespace
 
 MappedShoulder::MappedShoulder(const mjModel& model, const ModelMapping& mapping)
@@ -60,7 +55,8 @@ Vector3 MappedShoulder::Position(const mjData& data, Landmark landmark) const {
     const mjtNum* q = data.xquat + 4 * id;
     position_m += Quaternion(q[0], q[1], q[2], q[3]) * mapped.point_m;
   }
-  return mapping_.side == BodySide::kLeft ? Mirrored(position_m) : position_m;
+  // A left shoulder is looked at in a mirror and then is a right one.
+  return mapping_.side == Side::kLeft ? Mirrored(position_m) : position_m;
 }
 
 bool MappedShoulder::IsByLandmarks(Segment segment) const {
@@ -86,7 +82,7 @@ Quaternion MappedShoulder::Frame(const mjData& data, Segment segment) const {
   if (const std::optional<MappedBone>& bone = mapping_.bone(segment)) {
     const mjtNum* q = data.xquat + 4 * body_ids_[static_cast<std::size_t>(segment)];
     const Quaternion q_WF = Quaternion(q[0], q[1], q[2], q[3]) * bone->q_BF;
-    return mapping_.side == BodySide::kLeft ? Mirrored(q_WF) : q_WF;
+    return mapping_.side == Side::kLeft ? Mirrored(q_WF) : q_WF;
   }
   if (segment == Segment::kThorax) {
     return ThoraxFrame(Position(data, Landmark::kIJ), Position(data, Landmark::kPX),
@@ -168,7 +164,7 @@ void MappedShoulder::ExpectSound(const mjData& data) const {
   }
   const Vector3 scapula_z_T = Observe(data).q_TS * Vector3(0, 0, 1);
   if (scapula_z_T.z <= 0) {
-    const std::string side(kBodySideNames[static_cast<std::size_t>(mapping_.side)]);
+    const std::string side(kSideNames[static_cast<std::size_t>(mapping_.side)]);
     throw InputError(mapping_.file + ": the scapula points to the middle of the body (z of its " +
                      "frame in the thorax " + RoundedText(scapula_z_T.z, kDigits) + "), which no " +
                      side + " shoulder does. Correct the side, or swap TS and PAC");

@@ -255,7 +255,10 @@ VerifyResult VerifyMapped(const MappedModel& mapped, const std::string& plugin,
   MappedArm arm(*model, mapping);
   ScapulothoracicSurvey survey = SurveyGirdle(arm, shoulder, rhythm, BuiltInAnatomy().gliding,
                                               {mapped.elevations_deg, mapped.planes_deg}, progress);
-  survey.report.model = mapped.model + ", mapped by " + mapped.mapping;
+  survey.report.model = mapped.model;
+  survey.report.kind = std::string(kSideNames[static_cast<std::size_t>(mapping.side)]) +
+                       ", mapped by " + mapped.mapping + ", moved by its " +
+                       (mapping.drives_are_actuators ? "actuators" : "joints");
   survey.report.rhythm = RhythmText(
       rhythm.options(), override.table.empty()
                             ? std::string(Name(DefaultTable(rhythm.options().interpolation)))

@@ -32,13 +32,11 @@
 #include <string_view>
 #include <vector>
 
+#include "kinematics/model_names.h"
 #include "kinematics/rotation.h"
 #include "tables/anatomy.h"
 
 namespace girdle {
-
-enum class BodySide { kRight, kLeft };
-inline constexpr std::array<std::string_view, 2> kBodySideNames = {"right", "left"};
 
 /// Where a landmark is in a model.
 struct MappedLandmark {
@@ -68,7 +66,7 @@ struct MappedDrive {
 /// Every bone but the clavicle is given, by its own row or by the landmarks of its frame.
 struct ModelMapping {
   std::string file;  ///< stands in messages for it
-  BodySide side = BodySide::kRight;
+  Side side = Side::kRight;
   std::array<std::optional<MappedLandmark>, kLandmarkCount> landmarks;  ///< in Landmark's order
   std::array<std::optional<MappedBone>, kSegmentCount> bones;           ///< in Segment's order
   std::vector<MappedDrive> drives;                                      ///< all of one kind

@@ -75,15 +75,28 @@ def write(tmp_path: Path) -> Write:
     return run
 
 
+@pytest.mark.parametrize("side", ["right", "left"])
+@pytest.mark.parametrize("assembly", ["tree", "loop"])
 def test_a_model_of_girdle_seen_through_a_mapping_is_at_the_measured_places(
-    girdle_fine: Girdle, generated: Path
+    assembly: str, side: str, girdle_fine: Girdle, tmp_path: Path
 ) -> None:
-    result = json.loads(
-        girdle_fine("verify", generated / SCENE_FILE, "--mapping", OWN_MAPPING, "--json").text
-    )
+    girdle_fine("generate", "--out", tmp_path / "model", "--assembly", assembly, "--side", side)
+    scene = tmp_path / "model" / ("scene.xml" if side == "right" else "scene_left.xml")
+    mapping = tmp_path / "mapping.csv"
+    text = OWN_MAPPING.read_text()
+    if side == "left":
+        text = text.replace("side,,right", "side,,left").replace("_r,", "_l,")
+    mapping.write_text(text)
+    result = json.loads(girdle_fine("verify", scene, "--mapping", mapping, "--json").text)
     angles = [line for line in result["residuals"] if line["unit"] == "deg"]
     assert len(angles) > 40
     for line in angles:
+        # A loop's scapula is where it was measured on the thorax, which SC and AC of the same
+        # tables miss by 2 degrees.
+        if assembly == "loop" and line["item"].startswith("scapula"):
+            if (line["group"], line["item"]) == ("scapulothoracic", "scapula orientation, rms"):
+                assert 1.8 < line["value"] < 2.3
+            continue
         assert abs(line["value"]) < AT_REST_DEG, line
     assert all("not_reached" not in position for position in result["positions"])
     assert len(result["positions"]) == 13 * 16
@@ -119,8 +132,9 @@ def test_the_report_ends_with_what_the_figures_allow_to_say(
     model, mapping = write()
     printed = girdle_fine("verify", model, "--mapping", mapping, *GRID).text
     head = printed.splitlines()[:3]
-    assert head[0] == f"model   {model}, mapped by {mapping}"
-    assert head[1] == "rhythm  interpolation smooth, closure exact, range whole, table destepped"
+    assert head[0] == f"model   {model}"
+    assert head[1] == f"kind    right, mapped by {mapping}, moved by its joints"
+    assert head[2] == "rhythm  interpolation smooth, closure exact, range whole, table destepped"
     # 0.3 of 90 degrees.
     assert printed.splitlines()[-1].startswith(
         "As this arm is raised from 30 to 120 degrees in plane 0, its scapula turns upward by 27 "
@@ -134,7 +148,7 @@ def test_the_measured_rhythm_is_the_one_asked_for(girdle_fine: Girdle, write: Wr
     command = ("verify", model, "--mapping", mapping, *GRID)
     squad = girdle_fine(*command, "--interpolation", "squad").text
     assert "\nrhythm  interpolation squad, closure exact, range clamp, table measured\n" in squad
-    assert squad.splitlines()[4:] != girdle_fine(*command).text.splitlines()[4:]
+    assert squad.splitlines()[5:] != girdle_fine(*command).text.splitlines()[5:]
 
 
 def test_a_compiled_model_gives_what_its_text_gives(girdle_fine: Girdle, write: Write) -> None:

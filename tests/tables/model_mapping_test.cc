@@ -40,7 +40,7 @@ ModelMapping Read(const CsvText& text) {
 TEST(ReadModelMapping, ReadsLandmarksBonesAndDrives) {
   const ModelMapping mapping = Read(CsvText(kValid));
   EXPECT_EQ(mapping.file, "m.csv");
-  EXPECT_EQ(mapping.side, BodySide::kRight);
+  EXPECT_EQ(mapping.side, Side::kRight);
   ASSERT_TRUE(mapping.landmark(Landmark::kPAC));
   EXPECT_TRUE(mapping.landmark(Landmark::kPAC)->is_site);
   EXPECT_EQ(mapping.landmark(Landmark::kPAC)->name, "acromion");
@@ -81,7 +81,7 @@ TEST(ReadModelMapping, TakesRowsInAnyOrderAndTheLeftSide) {
   CsvText text(kValid);
   text.Cell(0, "name") = "left";
   std::reverse(text.rows.begin(), text.rows.end());
-  EXPECT_EQ(Read(text).side, BodySide::kLeft);
+  EXPECT_EQ(Read(text).side, Side::kLeft);
 }
 
 TEST(ReadModelMapping, TakesActuators) {
