@@ -8,10 +8,12 @@
 #include <string>
 
 #include "commands/anatomy_arguments.h"
+#include "commands/angle_sweep.h"
 #include "commands/output_file.h"
 #include "commands/progress.h"
 #include "commands/rhythm_arguments.h"
 #include "commands/simulation_module.h"
+#include "tables/input_error.h"
 
 namespace girdle {
 namespace {
@@ -21,15 +23,49 @@ struct VerifyArguments {
   AnatomyArguments anatomy;
   std::string model;
   std::string plugin;
+  std::string mapping;
+  std::string elevation;
+  std::string plane;
   bool json = false;
 };
 
+// Where the arm of a mapped model is moved to unless told otherwise: from the lowest elevation at
+// which a clavicle was measured to what people reach, and from somewhat behind the frontal plane to
+// somewhat across the chest.
+constexpr const char* kDefaultElevation = "30:150:10";
+constexpr const char* kDefaultPlane = "-30:120:10";
+constexpr SweptAngle kElevationSweep = {"--elevation", "30:150:10", 0, 180};
+constexpr SweptAngle kPlaneSweep = {"--plane", "-30:120:10", -180, 180};
+// Of each angle; a finer grid tells nothing more and takes minutes.
+constexpr std::uint64_t kMostValues = 181;
+
+VerifyResult VerifyMapped(const VerifyArguments& arguments, TerminalProgress& progress) {
+  const auto values_deg = [](const SweptAngle& angle, const std::string& given,
+                             const char* otherwise) {
+    return SweepValues_deg(angle, given.empty() ? otherwise : given, kMostValues);
+  };
+  return LoadSimulation().verify_mapped(
+      {arguments.model, arguments.mapping,
+       values_deg(kElevationSweep, arguments.elevation, kDefaultElevation),
+       values_deg(kPlaneSweep, arguments.plane, kDefaultPlane)},
+      ChosenPlugin(arguments.plugin), OverrideFrom(arguments.rhythm), arguments.json,
+      std::ref(progress));
+}
+
 bool Verify(const VerifyArguments& arguments) {
+  if (arguments.mapping.empty() && !(arguments.elevation.empty() && arguments.plane.empty())) {
+    throw InputError(
+        "--elevation and --plane are for models with --mapping; a model of Girdle is verified "
+        "everywhere");
+  }
   const Anatomy anatomy = ChosenAnatomy(arguments.anatomy);
   TerminalProgress progress("verifying");
-  const VerifyResult result = LoadSimulation().verify(
-      arguments.model, ChosenPlugin(arguments.plugin), OverrideFrom(arguments.rhythm), anatomy,
-      arguments.json, std::ref(progress));
+  const VerifyResult result =
+      arguments.mapping.empty()
+          ? LoadSimulation().verify(arguments.model, ChosenPlugin(arguments.plugin),
+                                    OverrideFrom(arguments.rhythm), anatomy, arguments.json,
+                                    std::ref(progress))
+          : VerifyMapped(arguments, progress);
   progress.Clear();
   Print(result.report);
   return result.passed;
@@ -43,6 +79,18 @@ void AddVerifyCommand(CLI::App& program, int& status) {
   verb->add_option("model", arguments->model, "Model or scene, MJCF or MJB")
       ->type_name("MODEL")
       ->required();
+  verb->add_option("--mapping", arguments->mapping,
+                   "Which bodies or sites are the bones of a model that is not Girdle's, and which "
+                   "joints set its arm: a CSV such as those in data/mappings")
+      ->type_name("FILE");
+  verb->add_option("--elevation", arguments->elevation,
+                   std::string("With --mapping: elevations to survey [deg], by default ") +
+                       kDefaultElevation)
+      ->type_name("FROM:TO:STEP");
+  verb->add_option(
+          "--plane", arguments->plane,
+          std::string("With --mapping: planes to survey [deg], by default ") + kDefaultPlane)
+      ->type_name("FROM:TO:STEP");
   AddRhythmArguments(*verb, arguments->rhythm);
   AddAnatomyArguments(*verb, arguments->anatomy);
   AddPluginArgument(*verb, arguments->plugin);
@@ -50,8 +98,12 @@ void AddVerifyCommand(CLI::App& program, int& status) {
   verb->footer(
       "The model is held against the rhythm that it says it uses. With --table, --interpolation or "
       "--closure it is held\nagainst that instead, and fails if it was made with another.\n"
+      "With --mapping a model that is not Girdle's is held against the measured rhythm: how far "
+      "its "
+      "clavicle and scapula\nare from the measured ones with the arm where it is.\n"
       "Exit status 1 if a residual is above its tolerance.\n"
-      "Example:\n  girdle verify scene.xml");
+      "Examples:\n  girdle verify scene.xml\n"
+      "  girdle verify arm.xml --mapping data/mappings/myo_sim.csv");
   verb->callback([arguments, &status] { status = Verify(*arguments) ? 0 : 1; });
 }
 

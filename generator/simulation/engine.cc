@@ -59,11 +59,16 @@ std::string DistinctLines(const std::string& text) {
 // Room for MuJoCo's reason.
 constexpr std::size_t kErrorSize = 1024;
 
+bool IsBinary(const std::string& name) { return std::filesystem::path(name).extension() == ".mjb"; }
+
 void ExpectLoaded(const ModelPointer& model, const std::string& name, const std::string& reason) {
   const std::string warned = TakeWarnings();
   if (model == nullptr || !warned.empty()) {
+    const std::string mend =
+        IsBinary(name) ? "Save it with MuJoCo " + std::string(mj_versionString()) + ", give its XML"
+                       : "Mend the model";
     throw InputError(name + ": MuJoCo cannot load it: " + DistinctLines(reason + "\n" + warned) +
-                     ". Mend the model or make it anew with girdle generate");
+                     ". " + mend + " or make it anew with girdle generate");
   }
 }
 
@@ -111,9 +116,8 @@ ModelPointer LoadModel(const std::string& path) {
                      "scene.xml");
   }
   std::array<char, kErrorSize> error{};
-  ModelPointer model(std::filesystem::path(path).extension() == ".mjb"
-                         ? mj_loadModel(path.c_str(), nullptr)
-                         : mj_loadXML(path.c_str(), nullptr, error.data(), kErrorSize));
+  ModelPointer model(IsBinary(path) ? mj_loadModel(path.c_str(), nullptr)
+                                    : mj_loadXML(path.c_str(), nullptr, error.data(), kErrorSize));
   ExpectLoaded(model, path, error.data());
   return model;
 }

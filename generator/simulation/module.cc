@@ -9,13 +9,17 @@
 #include <stdexcept>
 
 #include "simulation/engine.h"
+#include "simulation/mapped_arm.h"
+#include "simulation/mapped_shoulder.h"
 #include "simulation/motion.h"
 #include "simulation/residual_report.h"
 #include "simulation/residuals.h"
+#include "simulation/scapulothoracic_survey.h"
 #include "simulation/shoulder_simulation.h"
 #include "simulation/trace.h"
 #include "tables/built_in.h"
 #include "tables/input_error.h"
+#include "tables/model_mapping.h"
 #include "tables/rhythm_config.h"
 #include "tables/rhythm_table_csv.h"
 #include "tables/text_file.h"
@@ -201,6 +205,12 @@ std::string KindOf(const ShoulderSimulation& simulation) {
   return text + (simulation.has_plugin() ? ", plugin" : ", position servos");
 }
 
+std::string RhythmText(const RhythmOptions& options, const std::string& table) {
+  return "interpolation " + std::string(Name(options.interpolation)) + ", closure " +
+         std::string(Name(options.closure)) + ", range " + std::string(Name(*options.range)) +
+         ", table " + table;
+}
+
 VerifyResult Verify(const std::string& model_path, const std::string& plugin,
                     const RhythmOverride& override, const Anatomy& anatomy, bool json,
                     const ProgressSink& progress) {
@@ -210,12 +220,51 @@ VerifyResult Verify(const std::string& model_path, const std::string& plugin,
   const AssembledRhythm rhythm = AssembledOf(simulation, RhythmOf(simulation, override));
   simulation.Follow(rhythm);
   ResidualReport report = MeasureResiduals(simulation, rhythm, anatomy, progress);
-  const RhythmOptions& options = rhythm.rhythm().options();
-  report.rhythm = "interpolation " + std::string(Name(options.interpolation)) + ", closure " +
-                  std::string(Name(options.closure)) + ", range " +
-                  std::string(Name(*options.range)) + ", table " + TableName(simulation, override);
+  report.rhythm = RhythmText(rhythm.rhythm().options(), TableName(simulation, override));
   report.kind = KindOf(simulation);
   return {json ? ReportAsJson(report) : ReportAsText(report), report.passed()};
+}
+
+// The rhythm of the built-in shoulder with what the user says of it.
+ShoulderRhythm ReferenceRhythm(const RhythmOverride& override) {
+  RhythmOptions options;
+  options.interpolation = override.interpolation.value_or(options.interpolation);
+  options.closure = override.closure.value_or(options.closure);
+  options.range = override.range;
+  const auto built_in = override.table.empty() ? DefaultTable(options.interpolation)
+                                               : BuiltInTableFromName(override.table);
+  const JointRanges ranges = BuiltInAnatomy().ranges;
+  if (!built_in) {
+    return ReadShoulderRhythm(override.table, options, ranges);
+  }
+  try {
+    return ShoulderRhythm(BuiltInRhythmTable(*built_in), options, ranges);
+  } catch (const std::invalid_argument& error) {
+    throw InputError("these options do not go together: " + std::string(error.what()));
+  }
+}
+
+VerifyResult VerifyMapped(const MappedModel& mapped, const std::string& plugin,
+                          const RhythmOverride& override, bool json, const ProgressSink& progress) {
+  std::ifstream in = OpenTextFile(mapped.mapping);
+  const ModelMapping mapping = ReadModelMapping(in, mapped.mapping);
+  const ShoulderRhythm rhythm = ReferenceRhythm(override);
+  const EngineWatch watch;
+  LoadPlugin(plugin);
+  const ModelPointer model = LoadModel(mapped.model);
+  const MappedShoulder shoulder(*model, mapping);
+  MappedArm arm(*model, mapping);
+  ScapulothoracicSurvey survey = SurveyGirdle(arm, shoulder, rhythm, BuiltInAnatomy().gliding,
+                                              {mapped.elevations_deg, mapped.planes_deg}, progress);
+  survey.report.model = mapped.model;
+  survey.report.kind = std::string(kSideNames[static_cast<std::size_t>(mapping.side)]) +
+                       ", mapped by " + mapped.mapping + ", moved by its " +
+                       (mapping.drives_are_actuators ? "actuators" : "joints");
+  survey.report.rhythm = RhythmText(
+      rhythm.options(), override.table.empty()
+                            ? std::string(Name(DefaultTable(rhythm.options().interpolation)))
+                            : override.table);
+  return {json ? SurveyAsJson(survey) : SurveyAsText(survey), survey.report.passed()};
 }
 
 }  // namespace
@@ -225,6 +274,6 @@ VerifyResult Verify(const std::string& model_path, const std::string& plugin,
 extern "C" __attribute__((visibility("default"))) const girdle::SimulationModule*
 girdle_simulation_module() {
   static const girdle::SimulationModule kModule = {girdle::CheckModel, girdle::Simulate,
-                                                   girdle::Verify};
+                                                   girdle::Verify, girdle::VerifyMapped};
   return &kModule;
 }

@@ -53,6 +53,14 @@ struct SimulationSummary {
   double worst_distance_deg = 0;  ///< farthest from measured data
 };
 
+/// A model that is not ours, and where its arm is moved to [deg].
+struct MappedModel {
+  std::string model;
+  std::string mapping;  ///< file in the format of tables/model_mapping.h
+  std::vector<double> elevations_deg;
+  std::vector<double> planes_deg;
+};
+
 struct VerifyResult {
   std::string report;
   bool passed = false;
@@ -72,6 +80,10 @@ struct SimulationModule {
   VerifyResult (*verify)(const std::string& model, const std::string& plugin,
                          const RhythmOverride& rhythm, const Anatomy& anatomy, bool json,
                          const ProgressSink& progress);
+  /// Holds the girdle of any model against the measured rhythm, by default that of `girdle solve`.
+  VerifyResult (*verify_mapped)(const MappedModel& mapped, const std::string& plugin,
+                                const RhythmOverride& rhythm, bool json,
+                                const ProgressSink& progress);
 };
 
 /// Name of the function that returns the SimulationModule, of type SimulationModuleFunction.
