@@ -4,24 +4,32 @@
 #include "mjcf/scene.h"
 
 #include <array>
+#include <cmath>
 
 #include "mjcf/xml_element.h"
 
 namespace girdle {
 namespace {
 
-// What the cameras look at: between the jugular notch and the arm, in the world [m].
-const Vector3 kCenter_m{-0.05, -0.22, 1.33};
+// What the cameras look at: the middle of all that an arm reaches, hanging, raised and to the side,
+// and the thorax, in the world [m].
+const Vector3 kCenter_m{-0.05, -0.17, 1.4};
 constexpr double kExtent_m = 0.7;
 constexpr double kCameraDistance_m = 1.0;
 // Both shoulders are that much wider than one.
-constexpr double kBothSides = 1.5;
+constexpr double kBothSides = 1.25;
 
 // What the cameras see.
 struct View {
   Vector3 center_m;
   double scale;  ///< of extent and distance
 };
+
+// Products leave digits that nobody wants to read: to 0.1 mm.
+double Rounded(double length_m) {
+  constexpr double kPerMeter = 1e4;
+  return std::round(length_m * kPerMeter) / kPerMeter;
+}
 
 View ViewOf(Sides sides) {
   switch (sides) {
@@ -37,9 +45,10 @@ View ViewOf(Sides sides) {
 
 void WriteCamera(XmlElement& world, const View& view, const char* name, const Vector3& direction,
                  const std::array<double, 6>& xyaxes) {
+  const Vector3 place_m = view.center_m + view.scale * kCameraDistance_m * direction;
   world.Add("camera")
       .Set("name", name)
-      .Set("pos", view.center_m + view.scale * kCameraDistance_m * direction)
+      .Set("pos", Vector3{Rounded(place_m.x), Rounded(place_m.y), Rounded(place_m.z)})
       .Set("xyaxes", xyaxes);
 }
 
@@ -51,14 +60,15 @@ std::string SceneXml(const std::string& model_file, Sides sides) {
   XmlElement root = file.root();
   root.Set("model", "girdle scene");
   root.Add("include").Set("file", model_file);
-  root.Add("statistic").Set("center", view.center_m).Set("extent", view.scale * kExtent_m);
+  root.Add("statistic").Set("center", view.center_m).Set("extent", Rounded(view.scale * kExtent_m));
   XmlElement visual = root.Add("visual");
   visual.Add("headlight")
       .Set("diffuse", std::array{0.5, 0.5, 0.5})
       .Set("ambient", std::array{0.35, 0.35, 0.35})
       .Set("specular", std::array{0.0, 0.0, 0.0});
   visual.Add("rgba").Set("haze", std::array{0.68, 0.73, 0.78, 1.0});
-  visual.Add("global").Set("azimuth", sides == Sides::kLeft ? 145 : 215).Set("elevation", -15);
+  // A viewer starts where it looks at the arm from its own side, in front.
+  visual.Add("global").Set("azimuth", sides == Sides::kLeft ? 215 : 145).Set("elevation", -15);
   XmlElement asset = root.Add("asset");
   asset.Add("texture")
       .Set("type", "skybox")
