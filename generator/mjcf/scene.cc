@@ -4,6 +4,7 @@
 #include "mjcf/scene.h"
 
 #include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "mjcf/xml_element.h"
@@ -12,13 +13,14 @@
 namespace girdle {
 namespace {
 
-// What the cameras look at, in the world [m]: between the jugular notch and the arm of the built-in
-// anatomy. They look at another person's from as much farther as that arm reaches farther.
-const Vector3 kCenter_m{-0.05, -0.22, 1.33};
+// What the cameras look at, in the world [m]: the middle of all that the arm of the built-in anatomy
+// reaches, hanging, raised and to the side, and the thorax. They look at another person's from as
+// much farther as that arm reaches farther.
+const Vector3 kCenter_m{-0.05, -0.17, 1.4};
 constexpr double kExtent_m = 0.7;
 constexpr double kCameraDistance_m = 1.0;
 // Both shoulders are that much wider than one.
-constexpr double kBothSides = 1.5;
+constexpr double kBothSides = 1.25;
 
 // Length of the bones from the thorax's origin to the elbow.
 double Reach_m(const Anatomy& anatomy) {
@@ -32,6 +34,13 @@ struct View {
   Vector3 center_m;
   double scale;  ///< of extent and distance
 };
+
+// Products leave digits that nobody wants to read: to 0.1 mm.
+double Rounded(double length_m) {
+  constexpr double kPerMeter = 1e4;
+  return std::round(length_m * kPerMeter) / kPerMeter;
+}
+Vector3 Rounded(const Vector3& p_m) { return {Rounded(p_m.x), Rounded(p_m.y), Rounded(p_m.z)}; }
 
 View ViewOf(const Anatomy& anatomy, Sides sides) {
   const Anatomy adult = BuiltInAnatomy();
@@ -54,7 +63,7 @@ void WriteCamera(XmlElement& world, const View& view, const char* name, const Ve
                  const std::array<double, 6>& xyaxes) {
   world.Add("camera")
       .Set("name", name)
-      .Set("pos", view.center_m + view.scale * kCameraDistance_m * direction)
+      .Set("pos", Rounded(view.center_m + view.scale * kCameraDistance_m * direction))
       .Set("xyaxes", xyaxes);
 }
 
@@ -66,14 +75,15 @@ std::string SceneXml(const std::string& model_file, const Anatomy& anatomy, Side
   XmlElement root = file.root();
   root.Set("model", "girdle scene");
   root.Add("include").Set("file", model_file);
-  root.Add("statistic").Set("center", view.center_m).Set("extent", view.scale * kExtent_m);
+  root.Add("statistic").Set("center", Rounded(view.center_m)).Set("extent", Rounded(view.scale * kExtent_m));
   XmlElement visual = root.Add("visual");
   visual.Add("headlight")
       .Set("diffuse", std::array{0.5, 0.5, 0.5})
       .Set("ambient", std::array{0.35, 0.35, 0.35})
       .Set("specular", std::array{0.0, 0.0, 0.0});
   visual.Add("rgba").Set("haze", std::array{0.68, 0.73, 0.78, 1.0});
-  visual.Add("global").Set("azimuth", sides == Sides::kLeft ? 145 : 215).Set("elevation", -15);
+  // A viewer starts where it looks at the arm from its own side, in front.
+  visual.Add("global").Set("azimuth", sides == Sides::kLeft ? 215 : 145).Set("elevation", -15);
   XmlElement asset = root.Add("asset");
   asset.Add("texture")
       .Set("type", "skybox")
