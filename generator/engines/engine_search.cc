@@ -204,6 +204,7 @@ std::vector<fs::path> FindPlugins(const fs::path& program_folder, const fs::path
     }
   }
   std::vector<fs::path> files;
+  files.reserve(found.size());
   for (const FoundFile& each : found) {
     files.push_back(each.file);
   }

@@ -14,6 +14,7 @@ struct EngineVersion {
   int minor = 0;
   int patch = 0;
 
+  // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy takes the comparison's zero for a pointer
   auto operator<=>(const EngineVersion&) const = default;
 };
 
