@@ -13,6 +13,7 @@
 #include "commands/compare_command.h"
 #include "commands/continuity_command.h"
 #include "commands/destep_command.h"
+#include "commands/doctor_command.h"
 #include "commands/generate_command.h"
 #include "commands/output_file.h"
 #include "commands/simulate_command.h"
@@ -71,6 +72,7 @@ int Run(int argc, char** argv) {
   AddCompareCommand(program);
   AddContinuityCommand(program, residual_status);
   AddDestepCommand(program);
+  AddDoctorCommand(program, residual_status);
   program.footer("girdle VERB --help tells more, with examples.");
   RefuseEmptyWords(argc, argv);
   CheckVerb(program, argc, argv);

@@ -19,8 +19,7 @@ constexpr const char* kPluginFile = "libgirdle_rhythm.so";
 // A file beside the program, as built, or in the library folder, as installed.
 std::filesystem::path PartOfProgram(const char* file) {
   std::error_code error;
-  const std::filesystem::path folder =
-      std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
+  const std::filesystem::path folder = ProgramFolder();
   const std::filesystem::path beside = folder / file;
   return std::filesystem::exists(beside, error)
              ? beside
@@ -52,13 +51,20 @@ RhythmOverride OverrideFrom(const RhythmArguments& arguments) {
   return rhythm;
 }
 
+std::filesystem::path ProgramFolder() {
+  std::error_code error;
+  return std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
+}
+
+std::filesystem::path SimulationFile() { return PartOfProgram(kSimulationFile); }
+
 bool HasSimulation() {
   std::error_code error;
-  return std::filesystem::exists(PartOfProgram(kSimulationFile), error);
+  return std::filesystem::exists(SimulationFile(), error);
 }
 
 const SimulationModule& LoadSimulation() {
-  const std::filesystem::path path = PartOfProgram(kSimulationFile);
+  const std::filesystem::path path = SimulationFile();
   if (!HasSimulation()) {
     throw InputError(path.string() +
                      ": not there. This verb needs MuJoCo: build Girdle with it (scripts/setup "

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <string>
 
 #include "commands/rhythm_arguments.h"
@@ -20,6 +21,12 @@ void AddPluginArgument(CLI::App& verb, std::string& plugin);
 
 /// Returns what the user said of the rhythm, and only that. Throws InputError for an unknown word.
 [[nodiscard]] RhythmOverride OverrideFrom(const RhythmArguments& arguments);
+
+/// Returns the folder that the program lies in.
+[[nodiscard]] std::filesystem::path ProgramFolder();
+
+/// Returns where the library that runs MuJoCo is, or would be.
+[[nodiscard]] std::filesystem::path SimulationFile();
 
 /// Returns whether the library that runs MuJoCo was built with this program.
 [[nodiscard]] bool HasSimulation();

@@ -121,3 +121,8 @@ mjPLUGIN_LIB_INIT(girdle_rhythm) {
 
 }  // namespace
 }  // namespace girdle
+
+// Named by kEngineVersionSymbol.
+extern "C" __attribute__((visibility("default"))) int girdle_rhythm_engine_version() {
+  return GIRDLE_ENGINE_VERSION;
+}

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Girdle authors
 # SPDX-License-Identifier: Apache-2.0
-"""The plugin as a library: it brings no second MuJoCo and offers nothing to call."""
+"""The plugin as a library: it brings no second MuJoCo and offers one function to call."""
 
 from __future__ import annotations
 
@@ -20,9 +20,18 @@ def test_the_plugin_needs_no_mujoco_library(plugin_library: Path) -> None:
     assert not [line for line in needed if "mujoco" in line]
 
 
-def test_the_plugin_exports_nothing(plugin_library: Path) -> None:
-    assert output_of("nm", "-D", "--undefined-only", plugin_library), "nm reads no symbol at all"
-    assert output_of("nm", "-D", "--defined-only", plugin_library) == ""
+def test_the_plugin_exports_the_version_that_it_is_for_and_nothing_else(
+    plugin_library: Path,
+) -> None:
+    names = [line.split()[-1] for line in output_of("nm", "-D", "--defined-only", plugin_library).splitlines()]
+    assert names == ["girdle_rhythm_engine_version"]
+
+
+def test_the_plugin_says_its_version_in_a_process_without_mujoco(plugin_library: Path) -> None:
+    script = "import ctypes, sys; print(ctypes.CDLL(sys.argv[1]).girdle_rhythm_engine_version())"
+    engine = "import mujoco; print(mujoco.mj_version())"
+    said = output_of(sys.executable, "-c", script, plugin_library)
+    assert said == output_of(sys.executable, "-c", engine)
 
 
 def test_a_plugin_folder_is_scanned_as_the_simulate_program_does(

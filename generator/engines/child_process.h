@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+/// Work in a process of its own, which may crash or hang without harm to this one.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace girdle {
+
+/// What a child left.
+struct ChildResult {
+  std::string output;   ///< what it wrote, to its end or to its crash
+  std::string failure;  ///< empty if it ended with status 0, else how it ended
+};
+
+/// Runs `work` in a copy of this process, gives it a function that writes to `output`, and waits
+/// for it, `limit_s` seconds at most. The child's standard output goes to `output` as well, its
+/// standard error nowhere. To be called while this process has one thread. Throws InputError if no
+/// process can be made.
+[[nodiscard]] ChildResult RunInChild(
+    const std::function<void(const std::function<void(std::string_view)>& write)>& work,
+    int limit_s);
+
+}  // namespace girdle
