@@ -203,6 +203,24 @@ TEST_F(SurveyGirdleTest, HoldsThemAgainstTheMeasuredOnesForTheSameArm) {
   }
 }
 
+TEST_F(SurveyGirdleTest, TheMeasuredOnesAreThoseOfWhereTheArmIsAndNotOfWhereItWasAsked) {
+  CsvText text(FormulaMapping());
+  text.AddColumn("offset_deg", "");
+  text.Cell(12, "offset_deg") = "4";
+  text.Cell(13, "offset_deg") = "-3";
+  const ShoulderRhythm rhythm = BuiltInRhythm();
+  for (const SurveyedPosition& position : Survey(FormulaModel(), text.Text()).positions) {
+    const double elevation = position.asked_elevation_rad + RadiansFromDegrees(4);
+    const double plane = position.asked_plane_rad - RadiansFromDegrees(3);
+    EXPECT_NEAR(position.reached.elevation_rad, elevation, kSolved_deg);
+    EXPECT_NEAR(position.reached.plane_rad, plane, kSolved_deg);
+    const Vector3 measured_rad =
+        EulerFromQuaternion(EulerSequence::kYXZ, rhythm.SolvePose({elevation, plane}).q_TS());
+    EXPECT_NEAR(Figure(position.measured_deg, GirdleFigure::kUpwardRotation),
+                DegreesFromRadians(measured_rad[1]), kSolved_deg);
+  }
+}
+
 TEST_F(SurveyGirdleTest, AModelOfTheMeasuredRhythmIsAtTheMeasuredPlaces) {
   std::ifstream in(GIRDLE_SOURCE_DIR "/data/mappings/girdle_right.csv");
   std::stringstream mapping;
