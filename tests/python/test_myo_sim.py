@@ -35,6 +35,7 @@ ARM_FILE = "arm.xml"
 BINARY_FILE = "arm.mjb"
 
 PEERS_VERSION = "3.17.0"
+PEERS_MUJOCO = ROOT / "build" / "engine" / f"mujoco-{PEERS_VERSION}"
 ONE_POSITION = ("--elevation", "60:60:1", "--plane", "0:0:1")
 
 # Added to what the README has: the same model as its own MuJoCo compiled it, and its bodies in
@@ -80,7 +81,7 @@ def arm(tmp_path_factory: pytest.TempPathFactory) -> Arm:
     finished = subprocess.run(
         [sys.executable, "-c", save + CONTINUE],
         cwd=folder,
-        env=os.environ | {"PYTHONPATH": str(PEERS)},
+        env=os.environ | {"PYTHONPATH": os.pathsep.join([str(PEERS), str(PEERS_MUJOCO)])},
         capture_output=True,
         text=True,
         check=False,
