@@ -427,7 +427,9 @@ TEST(IsHumerusTurnedAround, BeginsAt120Degrees) {
     };
     EXPECT_FALSE(IsHumerusTurnedAround(turned(119)));
     EXPECT_TRUE(IsHumerusTurnedAround(turned(121)));
-    EXPECT_TRUE(IsHumerusTurnedAround(-turned(121))) << "whatever the quaternion's sign";
+    // Whatever the quaternion's sign.
+    EXPECT_FALSE(IsHumerusTurnedAround(-turned(119)));
+    EXPECT_TRUE(IsHumerusTurnedAround(-turned(121)));
   }
 }
 
