@@ -15,9 +15,6 @@
 namespace girdle {
 namespace {
 
-// Three landmarks are nearly on a line if one is less than this share of their largest distance off
-// it: a millimetre of picking would turn the frame by some degrees.
-constexpr double kNearlyOnALine = 0.05;
 // No side of a landmark triangle of a child or an adult is shorter or longer [m].
 constexpr double kShortestSide_m = 0.01;
 constexpr double kLongestSide_m = 1;

@@ -44,6 +44,17 @@ constexpr const char* kHeldWith = "mj_step, plugin and sensor, commands held";
 constexpr const char* kMovingWithout = "mj_step, nine position servos, given each pose";
 constexpr const char* kMovingWith = "mj_step, plugin and sensor, another pose each step";
 
+// Models whose steps are compared, plugin and sensor, commands held.
+struct AssembledModel {
+  const char* name;
+  Assembly assembly;
+  Sides sides;
+};
+constexpr AssembledModel kTreeRight{"tree, right", Assembly::kTree, Sides::kRight};
+constexpr AssembledModel kLoopRight{"loop, right", Assembly::kLoop, Sides::kRight};
+constexpr AssembledModel kTreeBoth{"tree, both", Assembly::kTree, Sides::kBoth};
+constexpr AssembledModel kLoopBoth{"loop, both", Assembly::kLoop, Sides::kBoth};
+
 double Median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
@@ -188,11 +199,11 @@ void Step(benchmark::State& state, const mjModel& model,
 }
 
 void RegisterEngine() {
-  const auto model_of = [](Actuation actuation) {
-    return std::shared_ptr<const mjModel>(
-        LoadModel({{"shoulder.xml", ShoulderModelXml(BuiltInAnatomy(), BuiltInRhythm(),
-                                                     {.actuation = actuation})}}));
+  const auto load = [](const ShoulderModelOptions& options) {
+    return std::shared_ptr<const mjModel>(LoadModel(
+        {{"shoulder.xml", ShoulderModelXml(BuiltInAnatomy(), BuiltInRhythm(), options)}}));
   };
+  const auto model_of = [load](Actuation actuation) { return load({.actuation = actuation}); };
   benchmark::RegisterBenchmark("mj_kinematics of the model",
                                [model = model_of(Actuation::kPlugin)](benchmark::State& state) {
                                  const DataPointer data = MakeData(*model);
@@ -210,16 +221,22 @@ void RegisterEngine() {
   step(kHeldWith, Actuation::kPlugin, false);
   step(kMovingWithout, Actuation::kPosition, true);
   step(kMovingWith, Actuation::kPlugin, true);
+  for (const AssembledModel& assembled : {kTreeRight, kLoopRight, kTreeBoth, kLoopBoth}) {
+    benchmark::RegisterBenchmark(
+        assembled.name, [model = load({.sides = assembled.sides, .assembly = assembled.assembly})](
+                            benchmark::State& state) { Step(state, *model, {}); });
+  }
 }
 
-// Keeps the times of all rounds; prints nothing by itself.
+// Keeps the times of all rounds; prints nothing by itself. What other programs take of a shared
+// machine does not count.
 class RoundReporter : public benchmark::BenchmarkReporter {
  public:
   bool ReportContext(const Context& /*context*/) override { return true; }
   void ReportRuns(const std::vector<Run>& runs) override {
     for (const Run& run : runs) {
       if (!run.error_occurred) {
-        times_ns_[run.run_name.function_name].push_back(run.GetAdjustedRealTime());
+        times_ns_[run.run_name.function_name].push_back(run.GetAdjustedCPUTime());
       }
     }
   }
@@ -265,6 +282,22 @@ void PrintSteps(const RoundReporter& times) {
       std::printf("%-50s %9.0f\n", without, times.Time_ns(without));
       std::printf("%-50s %9.0f %+20.1f %%\n", with, times.Time_ns(with),
                   100 * (times.Ratio(with, without) - 1));
+    }
+  }
+}
+
+void PrintAssemblies(const RoundReporter& times) {
+  constexpr double kNanosecondsPerSecond = 1e9;
+  std::printf("\n%-50s %9s %11s %10s\n", "one step, plugin and sensor, commands held", "ns",
+              "steps/s", "of a tree");
+  for (const auto& [tree, loop] :
+       {std::pair{kTreeRight, kLoopRight}, std::pair{kTreeBoth, kLoopBoth}}) {
+    for (const AssembledModel& model : {tree, loop}) {
+      if (times.Has(tree.name) && times.Has(model.name)) {
+        const double time_ns = times.Time_ns(model.name);
+        std::printf("%-50s %9.0f %11.0f %8.2f x\n", model.name, time_ns,
+                    kNanosecondsPerSecond / time_ns, times.Ratio(model.name, tree.name));
+      }
     }
   }
 }
@@ -353,6 +386,7 @@ int Run(int argc, char** argv) {
   EngineWatch::ExpectNoWarning("stepping");
   PrintPoses(times);
   PrintSteps(times);
+  PrintAssemblies(times);
   PrintRows(girdle);
   return 0;
 }

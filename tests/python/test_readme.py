@@ -4,6 +4,9 @@
 
 from __future__ import annotations
 
+import json
+import math
+import os
 import re
 import shlex
 import subprocess
@@ -38,7 +41,8 @@ def checkout(tmp_path: Path, program: Path, plugin_library: Path) -> Path:
     release.mkdir(parents=True)
     (release / plugin_library.name).symlink_to(plugin_library)
     (tmp_path / "build" / "engine").symlink_to(ROOT / "build" / "engine")
-    (tmp_path / "data").symlink_to(ROOT / "data")
+    for folder in ("data", "model"):
+        (tmp_path / folder).symlink_to(ROOT / folder)
     run(program, "generate", "--out", tmp_path / "build" / "model", folder=tmp_path)
     return tmp_path
 
@@ -60,6 +64,40 @@ def test_the_python_of_the_readme_attaches_the_shoulder(checkout: Path) -> None:
     elevation, plane = numbers(run(sys.executable, "-c", blocks("python")[1], folder=checkout))
     assert elevation == pytest.approx(1.57, abs=1e-6)
     assert plane == pytest.approx(0, abs=1e-6)
+
+
+def test_the_python_of_the_readme_puts_two_shoulders_on_a_torso(checkout: Path) -> None:
+    right, left = numbers(run(sys.executable, "-c", blocks("python")[2], folder=checkout))
+    assert right == pytest.approx(1.57, abs=1e-6)
+    assert left == pytest.approx(0.52, abs=1e-6)
+
+
+def run_shell(block: str, folder: Path, program: Path) -> None:
+    """With the program where a shell finds it under the name that people type."""
+    path = f"{program.parent}:{os.environ['PATH']}"
+    run("env", f"PATH={path}", "bash", "-ec", block, folder=folder)
+
+
+def test_the_readme_makes_every_kind_of_model(checkout: Path, program: Path) -> None:
+    (block,) = (text for text in blocks("sh") if "girdle generate" in text)
+    run_shell(block, checkout, program)
+    models = sorted(path.name for path in (checkout / "my_model").glob("shoulder_*"))
+    assert models == ["shoulder_both.xml", "shoulder_left_position.xml", "shoulder_right.xml"]
+
+
+# The motion ends at rest, where joints lag least.
+ARRIVED_DEG = 1.0
+
+
+def test_the_controls_of_the_readme_move_the_model_without_plugin(
+    checkout: Path, program: Path
+) -> None:
+    (block,) = (text for text in blocks("sh") if "--controls" in text)
+    run_shell(block, checkout, program)
+    (elevation_rad,) = numbers(run(sys.executable, "-c", blocks("python")[3], folder=checkout))
+    target = run(program, "solve", "--elevation", "120", "--plane", "40", "--json", folder=checkout)
+    elevation_deg = json.loads(target)["angles_deg"]["gh_elevation"]
+    assert math.degrees(elevation_rad) == pytest.approx(elevation_deg, abs=ARRIVED_DEG)
 
 
 def test_the_c_plus_plus_of_the_readme_raises_the_arm(checkout: Path) -> None:
@@ -112,6 +150,40 @@ def test_the_report_of_the_readme_has_the_lines_of_the_program(
     for line in shown[1].splitlines():
         if line not in ("...", ""):
             assert tiny.sub(" ~ ", line).rsplit("  ", 1)[0].split("~")[0].rstrip() in kept, line
+
+
+# How the lines of the report that the table shows begin, by its columns.
+CHIEF_LINES = (
+    ("joint constraint", {"AC", "AC at rest"}),
+    ("joint constraint", {"AC", "AC at 1 Hz"}),
+    ("emergent AC", {"measured AC, rms"}),
+    ("tracking moving", {"SC", "AC", "ST", "GH"}),
+)
+DECIMALS = (3, 3, 2, 2)
+
+
+def verified_models() -> dict[str, list[str]]:
+    rows = re.findall(r"^\| `(shoulder_\w+/scene\w*\.xml)` \| (.*) \|$", README, flags=re.MULTILINE)
+    return {model: cells.split(" | ") for model, cells in rows}
+
+
+def test_the_readme_shows_the_verdict_on_every_committed_model() -> None:
+    committed = {f"{path.parent.name}/{path.name}" for path in (ROOT / "model").glob("*/scene*")}
+    assert verified_models().keys() == committed
+
+
+@pytest.mark.parametrize("model", verified_models())
+def test_the_verdict_of_the_readme_is_that_of_the_program(model: str, program: Path) -> None:
+    report = json.loads(run(program, "verify", "--json", ROOT / "model" / model, folder=ROOT))
+    shown = []
+    for (group, items), decimals in zip(CHIEF_LINES, DECIMALS, strict=True):
+        values = [
+            line["value"]
+            for line in report["residuals"]
+            if line["group"] == group and re.sub(", (right|left)$", "", line["item"]) in items
+        ]
+        shown.append(f"{max(values):.{decimals}f}" if values else "-")
+    assert [*shown, "pass" if report["passed"] else "fail"] == verified_models()[model]
 
 
 def test_the_comparison_of_the_readme_has_the_lines_of_the_program(
