@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <system_error>
 
 #include "commands/output_file.h"
 #include "commands/progress.h"
@@ -86,6 +88,16 @@ MotionRequest Requested(const SimulateArguments& arguments) {
   return request;
 }
 
+// Whether two paths, of which neither has to be there, are one place.
+bool SameFile(const std::string& a, const std::string& b) {
+  std::error_code unclear;
+  const std::filesystem::path place_a =
+      std::filesystem::weakly_canonical(std::filesystem::absolute(a, unclear), unclear);
+  const std::filesystem::path place_b =
+      std::filesystem::weakly_canonical(std::filesystem::absolute(b, unclear), unclear);
+  return !unclear && place_a == place_b;
+}
+
 void Simulate(const SimulateArguments& arguments) {
   const MotionRequest request = Requested(arguments);
   if (arguments.json && arguments.trace == "-") {
@@ -93,6 +105,11 @@ void Simulate(const SimulateArguments& arguments) {
   }
   if (arguments.controls == "-" && (arguments.json || arguments.trace == "-")) {
     throw InputError("--controls - wants standard output alone. Write one of them to a file");
+  }
+  if (!arguments.controls.empty() && !arguments.trace.empty() &&
+      SameFile(arguments.controls, arguments.trace)) {
+    throw InputError("--trace and --controls both want " + arguments.controls +
+                     ". Give each a file of its own");
   }
   const SimulationModule& simulation = LoadSimulation();
   std::optional<OutputFile> trace;

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <glm/gtc/quaternion.hpp>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 namespace girdle {
@@ -35,15 +37,17 @@ AssembledRhythm::AssembledRhythm(ShoulderRhythm rhythm, Assembly assembly)
 }
 
 std::optional<AssembledRhythm::Correction> AssembledRhythm::CorrectionOf(const RhythmTable& table) {
-  const SurfaceGrid grid{SplineAxis(table.elevations_rad()), SplineAxis(table.planes_rad())};
+  constexpr std::size_t kFewest = 3;  // of a spline
   const std::size_t planes = table.planes_rad().size();
   const std::size_t elevations = table.elevations_rad().size();
-  for (std::size_t plane = 0; plane < planes; ++plane) {
-    for (std::size_t elevation = 0; elevation < elevations; ++elevation) {
-      if (!table.position(plane, elevation).scapulothoracic_rad) {
-        return std::nullopt;
-      }
-    }
+  if (planes < kFewest || elevations < kFewest) {
+    throw std::invalid_argument(
+        "the assembly loop needs a table of at least 3 planes and 3 elevations, this one has " +
+        std::to_string(planes) + " and " + std::to_string(elevations));
+  }
+  const SurfaceGrid grid{SplineAxis(table.elevations_rad()), SplineAxis(table.planes_rad())};
+  if (!table.position(0, 0).scapulothoracic_rad) {
+    return std::nullopt;  // all positions have it, or none
   }
   const auto u_at = [&table](std::size_t elevation, std::size_t plane) {
     const RhythmPosition& position = table.position(plane, elevation);

@@ -26,7 +26,7 @@ namespace girdle {
 class AssembledRhythm {
  public:
   /// Throws std::invalid_argument if a loop's table has fewer than three planes or elevations. A
-  /// table without ST at every position has nothing to correct: u is zero.
+  /// table without ST has nothing to correct: u is zero.
   AssembledRhythm(ShoulderRhythm rhythm, Assembly assembly);
 
   /// The pose for a command, as ShoulderRhythm::SolvePose; `used` takes the command that it

@@ -62,12 +62,11 @@ std::size_t TakeRole(const mjModel& model, int actuator,
 
 template <std::size_t N>
 void CheckTaken(const std::array<std::string_view, N>& roles, const std::array<bool, N>& taken,
-                std::size_t role, const char* kind, const char* example_attributes) {
+                std::size_t role, Side side, const char* kind, const char* example_attributes) {
   if (!taken[role]) {
-    const std::string name(roles[role]);
-    throw std::runtime_error("no " + std::string(kind) + " for " + name + ". Add <plugin name=\"" +
-                             name + "_r\" instance=\"...\" " + example_attributes +
-                             "/> to <actuator>");
+    throw std::runtime_error("no " + std::string(kind) + " for " + std::string(roles[role]) +
+                             ". Add <plugin name=\"" + SidedName(roles[role], side) +
+                             "\" instance=\"...\" " + example_attributes + "/> to <actuator>");
   }
 }
 
@@ -111,7 +110,8 @@ bool RhythmController::Servo::IsDisabled(const mjModel& model) const noexcept {
   return group >= 0 && group < kBits && ((model.opt.disableactuator >> group) & 1) != 0;
 }
 
-RhythmController::RhythmController(const mjModel& model, int instance, const RhythmConfig& config) {
+RhythmController::RhythmController(const mjModel& model, int instance, const RhythmConfig& config)
+    : side_(config.side) {
   std::array<bool, kAllCommandCount> has_command{};
   std::array<bool, kServoRoleCount> has_servo{};
   for (int actuator = 0; actuator < model.nactuator; ++actuator) {
@@ -128,10 +128,10 @@ RhythmController::RhythmController(const mjModel& model, int instance, const Rhy
     }
   }
   for (std::size_t role = 0; role < kCommandCount; ++role) {
-    CheckTaken(kAllCommandNames, has_command, role, "command actuator", "joint=\"...\" gear=\"0\"");
+    CheckTaken(kAllCommandNames, has_command, role, side_, "command actuator",
+               "joint=\"...\" gear=\"0\"");
   }
   const Assembly assembly = CheckServos(has_servo);
-  side_ = config.side;
   FindSensors(model, instance);
   const auto first_rate = has_command.begin() + kCommandCount + kOffsetCount;
   has_rates_ = std::any_of(first_rate, has_command.end(), [](bool has) { return has; });
@@ -160,36 +160,41 @@ RhythmController::RhythmController(const mjModel& model, int instance, const Rhy
 // The first nine are a tree's; a loop has those of the scapula on the thorax instead of AC's, and
 // three for its place as well or not.
 Assembly RhythmController::CheckServos(const std::array<bool, kServoRoleCount>& has_servo) {
-  const auto has = [&has_servo](std::size_t role) { return has_servo[role]; };
-  const bool has_st =
-      has(kScapulothoracicRole) || has(kScapulothoracicRole + 1) || has(kScapulothoracicRole + 2);
-  has_translations_ =
-      has(kTranslationRole) || has(kTranslationRole + 1) || has(kTranslationRole + 2);
-  std::vector<std::size_t> needed;
-  for (std::size_t k = 0; k < kCoordinateCount; ++k) {
-    const bool is_ac = k / 3 == 1;
-    needed.push_back(is_ac && has_st ? kScapulothoracicRole + k - 3 : k);
-  }
-  if (has_translations_) {
-    needed.insert(needed.end(), {kTranslationRole, kTranslationRole + 1, kTranslationRole + 2});
-  }
-  for (const std::size_t role : needed) {
-    CheckTaken(kServoRoles, has_servo, role, "servo", "joint=\"...\"");
-  }
-  for (std::size_t role = 0; role < kServoRoleCount; ++role) {
-    if (has(role) && std::find(needed.begin(), needed.end(), role) == needed.end()) {
-      throw std::runtime_error("servos of both " + std::string(kServoRoles[role]) + " and " +
-                               std::string(kServoRoles[needed[3]]) +
-                               ": the scapula hangs either from the clavicle (ac_ servos) or from "
-                               "the thorax (st_ servos). Remove one kind");
+  // The first of three roles that has a servo.
+  const auto first_of = [&has_servo](std::size_t begin) -> std::optional<std::size_t> {
+    for (std::size_t role = begin; role < begin + 3; ++role) {
+      if (has_servo[role]) {
+        return role;
+      }
     }
+    return std::nullopt;
+  };
+  const auto ac = first_of(kJointCount);
+  const auto st = first_of(kScapulothoracicRole);
+  has_translations_ = first_of(kTranslationRole).has_value();
+  if (ac && st) {
+    throw std::runtime_error("servos of both " + std::string(kServoRoles[*ac]) + " and " +
+                             std::string(kServoRoles[*st]) +
+                             ": the scapula hangs either from the clavicle (ac_ servos) or from "
+                             "the thorax (st_ servos). Remove one kind");
   }
-  if (has_translations_ && !has_st) {
+  if (has_translations_ && !st) {
     throw std::runtime_error(
         "servos for the scapula's place (st_lateral and so on), but none for its orientation. Add "
         "st_internal_rotation, st_upward_rotation and st_tilt");
   }
-  return has_st ? Assembly::kLoop : Assembly::kTree;
+  const auto expect_three = [&](std::size_t begin) {
+    for (std::size_t role = begin; role < begin + 3; ++role) {
+      CheckTaken(kServoRoles, has_servo, role, side_, "servo", "joint=\"...\"");
+    }
+  };
+  expect_three(0);
+  expect_three(st ? kScapulothoracicRole : kJointCount);
+  expect_three(kCoordinateCount - 3);
+  if (has_translations_) {
+    expect_three(kTranslationRole);
+  }
+  return st ? Assembly::kLoop : Assembly::kTree;
 }
 
 // Where the clavicle begins in the thorax, and where on it the scapula hangs: from the connect of
@@ -243,7 +248,7 @@ void RhythmController::AddServo(const mjModel& model, int actuator, std::size_t 
   if (model.actuator_trntype[actuator] != mjTRN_JOINT ||
       model.jnt_type[joint] != (is_translation ? mjJNT_SLIDE : mjJNT_HINGE)) {
     throw std::runtime_error(ActuatorName(model, actuator) + " does not act on a " + kind +
-                             ". Give it joint=\"" + std::string(kServoRoles[role]) + "_r\", a " +
+                             ". Give it joint=\"" + SidedName(kServoRoles[role], side_) + "\", a " +
                              kind);
   }
   const int output = model.actuator_outadr[actuator];

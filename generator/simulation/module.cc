@@ -96,7 +96,7 @@ AssembledRhythm AssembledOf(const ShoulderSimulation& simulation, ShoulderRhythm
   try {
     return {std::move(rhythm), simulation.elements().assembly};
   } catch (const std::invalid_argument& error) {
-    throw InputError(simulation.name() + ": the assembly loop: " + error.what());
+    throw InputError(simulation.name() + ": " + error.what());
   }
 }
 

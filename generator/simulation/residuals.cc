@@ -302,6 +302,10 @@ class ResidualMeter {
         scapula_frame_.Worst("kinematic consistency", "scapula landmarks", "deg", kExact_deg));
     lines.push_back(
         humerus_frame_.Worst("kinematic consistency", "humerus landmarks", "deg", kExact_deg));
+    if (is_loop_) {
+      lines.push_back(
+          scapula_place_.Worst("kinematic consistency", "scapula's place", "mm", kExact_mm));
+    }
     if (!keyframes_.empty()) {
       lines.push_back(keyframes_.Worst("kinematic consistency", "keyframes", "deg", kExact_deg));
     }
@@ -501,6 +505,12 @@ class ResidualMeter {
     const ShoulderPose pose = assembled_.SolvePose(command);
     AddJointGaps(state, motion);
     AddRotations(state, pose, motion);
+    if (is_loop_) {
+      scapula_place_.Add(
+          kMillimetersPerMeter *
+              glm::distance(InThorax(state, state.child_site_m(1)), PlaceOfScapula(pose)),
+          motion, command);
+    }
     AddLandmarkFrames(state, pose, motion);
     AddClosure(state, pose, motion);
     AddGliding(state, motion);
@@ -602,6 +612,7 @@ class ResidualMeter {
   Extreme clavicle_axis_;
   Extreme scapula_frame_;
   Extreme humerus_frame_;
+  Extreme scapula_place_;
   Extreme keyframes_;
   Extreme keyframe_places_;
   JointExtremes settled_;

@@ -102,6 +102,7 @@ class ElementFinder {
                        "\" is not one of the plugin " + kPluginName +
                        ". Make the model anew with girdle generate");
     }
+    CheckSide(elements.instance);
     const auto find_optional = [this](std::string_view stem) {
       const int id = Look(mjOBJ_ACTUATOR, stem);
       return id < 0 ? -1 : model_.actuator_ctrladr[id];
@@ -110,6 +111,22 @@ class ElementFinder {
                    find_optional);
     std::transform(kRateNames.begin(), kRateNames.end(), elements.rate_controls.begin(),
                    find_optional);
+  }
+
+  // An instance of the other side would aim at the mirror image and report one.
+  void CheckSide(int instance) const {
+    const char* const text = mj_getPluginConfig(&model_, instance, kSideKey);
+    const std::string configured(text == nullptr || *text == '\0' ? kSideNames.front()
+                                                                  : std::string_view(text));
+    const std::string own(kSideNames[static_cast<std::size_t>(side_)]);
+    if (configured != own) {
+      throw InputError(model_name_ + ": the plugin's instance \"" +
+                       (model_.names + model_.name_pluginadr[instance]) + "\" moves a " +
+                       configured + " shoulder, and its elements end in " +
+                       std::string(kSideSuffixes[static_cast<std::size_t>(side_)]) +
+                       ". Set <config key=\"" + kSideKey + "\" value=\"" + own +
+                       "\"/>, or make the model anew with girdle generate");
+    }
   }
 
   void FindLoop(ShoulderElements& elements) const {
