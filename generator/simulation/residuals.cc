@@ -14,6 +14,7 @@
 #include "kinematics/isb_frames.h"
 #include "simulation/motion.h"
 #include "tables/built_in.h"
+#include "tables/ellipsoid.h"
 #include "tables/number_text.h"
 
 namespace girdle {
@@ -698,29 +699,6 @@ ResidualReport MeasureResiduals(ShoulderSimulation& simulation, const AssembledR
     }
   }
   return report;
-}
-
-// The nearest point x of the surface has p - x = l grad/2, i.e. x_i = r_i^2 p_i / (l + r_i^2) for
-// the largest root l of sum (r_i p_i / (l + r_i^2))^2 = 1, which bisection finds (Eberly, Distance
-// from a Point to an Ellipsoid).
-double DistanceFromEllipsoid(const Ellipsoid& ellipsoid, const Vector3& point_m) {
-  const Vector3 p = point_m - ellipsoid.center_m;
-  const Vector3 r_squared = ellipsoid.radii_m * ellipsoid.radii_m;
-  const double smallest = std::min({r_squared.x, r_squared.y, r_squared.z});
-  const auto excess = [&](double l) {
-    const Vector3 term = ellipsoid.radii_m * p / (r_squared + l);
-    return glm::dot(term, term) - 1;
-  };
-  double lower = -smallest;
-  double upper = glm::length(ellipsoid.radii_m) * glm::length(p) + glm::dot(p, p);
-  // Halving a range of at most some meters squared this often reaches the last bit.
-  constexpr int kHalvings = 100;
-  for (int i = 0; i < kHalvings; ++i) {
-    const double middle = (lower + upper) / 2;
-    (excess(middle) > 0 ? lower : upper) = middle;
-  }
-  const Vector3 nearest = r_squared * p / (r_squared + upper);
-  return std::copysign(glm::distance(p, nearest), excess(0));
 }
 
 }  // namespace girdle
