@@ -17,6 +17,7 @@
 #include "commands/output_file.h"
 #include "commands/simulate_command.h"
 #include "commands/solve_command.h"
+#include "commands/thorax_command.h"
 #include "commands/verify_command.h"
 #include "tables/input_error.h"
 
@@ -71,6 +72,7 @@ int Run(int argc, char** argv) {
   AddCompareCommand(program);
   AddContinuityCommand(program, residual_status);
   AddDestepCommand(program);
+  AddThoraxCommand(program);
   program.footer("girdle VERB --help tells more, with examples.");
   RefuseEmptyWords(argc, argv);
   CheckVerb(program, argc, argv);
