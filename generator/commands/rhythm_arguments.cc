@@ -14,6 +14,7 @@
 #include "tables/text_file.h"
 
 namespace girdle {
+
 void AddTableArgument(CLI::App& verb, std::string& table) {
   verb.add_option("--table", table,
                   "Table: measured (Ludewig et al. 2009), destepped (the same without the steps "

@@ -87,8 +87,14 @@ ThoraxReport ReportOn(const Anatomy& anatomy, const RhythmTable& table, const st
           {"the anatomy's", anatomy.gliding, MeasureGliding(anatomy.gliding, anatomy, table)}};
 }
 
+// With all its decimals, so that they stand below each other.
 std::string MillimetersText(double length_m, int decimals) {
-  return RoundedText(kMillimetersPerMeter * length_m, decimals);
+  std::string text = RoundedText(kMillimetersPerMeter * length_m, decimals);
+  if (text.find('.') == std::string::npos) {
+    text += '.';
+  }
+  const std::size_t shown = text.size() - text.find('.') - 1;
+  return text + std::string(static_cast<std::size_t>(decimals) - shown, '0');
 }
 
 // The table is named as it was typed: another folder's file of the same name is another table.

@@ -137,14 +137,14 @@ def test_the_text_gives_the_numbers_of_the_json(girdle_fine: Girdle, report: dic
     lines = [" ".join(line.split()) for line in text.splitlines()]
     for label, which in (("fitted", "fitted"), ("the anatomy's", "anatomy")):
         printed = report[which]
-        numbers = (f"{round(1000 * n, 1):g}" for n in printed["center_m"] + printed["radii_m"])
+        numbers = (f"{1000 * n:.1f}" for n in printed["center_m"] + printed["radii_m"])
         assert f"{label} {' '.join(numbers)}" in lines
         for name in LANDMARKS:
             line = printed[name]
-            values = f"{round(line['rms_mm'], 2):g} {round(line['worst_mm'], 2):g}"
+            values = f"{line['rms_mm']:.2f} {line['worst_mm']:.2f}"
             place = f"plane {line['plane_deg']:g}, elevation {line['elevation_deg']:g}"
             assert f"{label} {name} {values} {place}" in lines
-        assert f"{label} both {round(printed['rms_mm'], 2):g}" in lines
+        assert f"{label} both {printed['rms_mm']:.2f}" in lines
 
 
 def test_the_file_holds_the_fit_and_the_same_ribcage(
@@ -177,6 +177,19 @@ def test_the_default_table_is_the_default_rhythm_s(girdle_fine: Girdle) -> None:
     assert measured != destepped
 
 
+# --- Models on the thorax ------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("assembly", ["tree", "loop"])
+def test_a_model_on_the_thorax_verifies(girdle_fine: Girdle, assembly: str) -> None:
+    girdle_fine("generate", "--assembly", assembly, "--thorax-contact", "--out", "model")
+    report = json.loads(girdle_fine("verify", "model/scene.xml", "--json").text)
+    values = {line["item"]: line["value"] for line in report["residuals"]}
+    # 20 kN/m, at rest, in the measured position where the border is deepest.
+    depth_mm = values["TS or AI in the ellipsoid"]
+    assert values["force on TS or AI"] == pytest.approx(20.0 * depth_mm, rel=0.05)
+
+
 # --- Bad input -----------------------------------------------------------------------------------
 
 
@@ -195,6 +208,14 @@ def test_a_wrong_command_is_refused(
     refuses: Refuses, options: tuple[str | Path, ...], patterns: tuple[str, ...]
 ) -> None:
     refuses("thorax", *options, because=patterns)
+
+
+def test_thorax_contact_is_not_for_a_scapula_that_leads(refuses: Refuses) -> None:
+    refuses(
+        *("generate", "--assembly", "loop", "--lead", "scapula", "--thorax-contact"),
+        *("--out", "model"),
+        because=("--thorax-contact: not known where the scapula leads", "--lead clavicle"),
+    )
 
 
 def test_a_table_without_measured_positions_is_refused(refuses: Refuses, tmp_path: Path) -> None:
