@@ -105,8 +105,7 @@ std::vector<std::string> Provenance(const ThoraxReport& report) {
                  " " + MillimetersText(distance.rms_m, kDistanceDecimals) + " mm rms";
   }
   return {
-      "# Ellipsoids that stand for the thorax under the scapula, axes parallel to the thorax "
-      "frame.",
+      "# Ellipsoids that stand for the thorax under the scapula, axes as the thorax frame's.",
       "# Sources: ribcage - the anatomy's; gliding - fitted by least squares to TS and AI in the " +
           std::to_string(report.position_count) + " measured positions",
       "#   of the table, pulled weakly towards the ribcage. Left: " + distances + ".",
