@@ -34,6 +34,7 @@ struct GenerateArguments {
   std::string out;
   bool offsets = false;
   bool rates = false;
+  bool thorax_contact = false;
   std::string plugin;
   bool json = false;
 };
@@ -47,6 +48,11 @@ ShoulderModelOptions ModelOptions(const GenerateArguments& arguments) {
   if (!arguments.lead.empty() && options.assembly != Assembly::kLoop) {
     throw InputError("--lead " + arguments.lead +
                      ": in a tree the scapula hangs from the clavicle. Add --assembly loop");
+  }
+  if (arguments.thorax_contact && options.lead == Lead::kScapula) {
+    throw InputError(
+        "--thorax-contact: not known where the scapula leads, whose place it would push. Leave it "
+        "away, or choose --lead clavicle");
   }
   for (const auto& [option, given] :
        {std::pair("--offsets", arguments.offsets), std::pair("--rates", arguments.rates)}) {
@@ -66,6 +72,7 @@ ShoulderModelOptions ModelOptions(const GenerateArguments& arguments) {
   options.table = ChosenBuiltInTable(arguments.rhythm);
   options.has_offsets = arguments.offsets;
   options.has_rates = arguments.rates;
+  options.has_thorax_contact = arguments.thorax_contact;
   return options;
 }
 
@@ -141,6 +148,9 @@ void AddGenerateCommand(CLI::App& program) {
   verb->add_flag("--rates", arguments->rates,
                  "With commands for how fast elevation, plane and axial change, which the plugin "
                  "feeds forward so that the joints lag less");
+  verb->add_flag("--thorax-contact", arguments->thorax_contact,
+                 "With a soft force that keeps the scapula's medial border from sinking into the "
+                 "thorax");
   AddPluginArgument(*verb, arguments->plugin);
   verb->add_flag("--json", arguments->json, "Say what was written as JSON");
   verb->footer(

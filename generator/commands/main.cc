@@ -18,6 +18,7 @@
 #include "commands/output_file.h"
 #include "commands/simulate_command.h"
 #include "commands/solve_command.h"
+#include "commands/thorax_command.h"
 #include "commands/verify_command.h"
 #include "tables/input_error.h"
 
@@ -73,6 +74,7 @@ int Run(int argc, char** argv) {
   AddContinuityCommand(program, residual_status);
   AddDestepCommand(program);
   AddDoctorCommand(program, residual_status);
+  AddThoraxCommand(program);
   program.footer("girdle VERB --help tells more, with examples.");
   RefuseEmptyWords(argc, argv);
   CheckVerb(program, argc, argv);

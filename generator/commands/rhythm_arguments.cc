@@ -3,19 +3,38 @@
 
 #include "commands/rhythm_arguments.h"
 
+#include <fstream>
+#include <optional>
 #include <stdexcept>
 
 #include "commands/word_argument.h"
 #include "tables/input_error.h"
 #include "tables/number_text.h"
 #include "tables/rhythm_table_csv.h"
+#include "tables/text_file.h"
 
 namespace girdle {
-void AddRhythmArguments(CLI::App& verb, RhythmArguments& arguments) {
-  verb.add_option("--table", arguments.table,
+
+void AddTableArgument(CLI::App& verb, std::string& table) {
+  verb.add_option("--table", table,
                   "Table: measured (Ludewig et al. 2009), destepped (the same without the steps "
                   "where people dropped out; default with smooth), or a CSV of your own")
       ->type_name("WORD|FILE");
+}
+
+RhythmTable ChosenTable(const std::string& table) {
+  if (table.empty()) {
+    return BuiltInRhythmTable(DefaultTable(RhythmOptions{}.interpolation));
+  }
+  if (const std::optional<BuiltInTable> built_in = BuiltInTableFromName(table)) {
+    return BuiltInRhythmTable(*built_in);
+  }
+  std::ifstream file = OpenTextFile(table);
+  return ReadRhythmTable(file, table);
+}
+
+void AddRhythmArguments(CLI::App& verb, RhythmArguments& arguments) {
+  AddTableArgument(verb, arguments.table);
   verb.add_option("--interpolation", arguments.interpolation,
                   "smooth (default), squad (as published) or slerp")
       ->type_name("WORD");

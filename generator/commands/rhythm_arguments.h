@@ -23,6 +23,11 @@ struct RhythmArguments {
 
 void AddRhythmArguments(CLI::App& verb, RhythmArguments& arguments);
 
+/// `--table` alone, for verbs that need no rhythm, and the table that it names, the default
+/// rhythm's if it is empty. Throws InputError if it is neither a word nor a table.
+void AddTableArgument(CLI::App& verb, std::string& table);
+[[nodiscard]] RhythmTable ChosenTable(const std::string& table);
+
 /// Returns the options chosen, defaults where nothing was given. Throws InputError for an unknown
 /// word, naming the known ones.
 [[nodiscard]] RhythmOptions ChosenOptions(const RhythmArguments& arguments);

@@ -101,6 +101,17 @@ inline constexpr std::array<JointSites, kJointCount> kJointSites = {{
     {"GH", "GH_humerus"},
 }};
 
+/// A ligament is a tendon (`conoid_r`) between the sites `conoid_clavicle_r` and
+/// `conoid_scapula_r`.
+[[nodiscard]] inline std::string LigamentEndName(std::string_view ligament, std::string_view bone) {
+  return std::string(ligament) + "_" + std::string(bone);
+}
+
+/// Stem of the geom on the thorax that the scapula glides on, in models with thorax contact. What
+/// touches it are geoms on the scapula with the names of the landmarks (`TS_r`), and so are the
+/// contact pairs.
+inline constexpr std::string_view kGlidingName = "gliding";
+
 /// Keyframes of emitted models. `rest` is the lowest position of the frontal plane, where a model
 /// with all controls at zero stands; `relaxed` is relaxed standing, held by trims.
 struct NamedPose {

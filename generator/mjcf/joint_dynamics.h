@@ -49,4 +49,13 @@ inline constexpr TranslationDynamics kFollowingTranslation = {0, 1, 0.05};
 inline constexpr std::array<double, 2> kConnectSolref = {0.004, 0.7};
 inline constexpr std::array<double, 3> kConnectSolimp = {0.99, 0.99, 0.001};
 
+/// How the thorax pushes TS and AI out of the gliding ellipsoid: F = k p, 20 kN/m at a depth p, as
+/// in other shoulder models. With an impedance d, one number in solimp, MuJoCo's direct solref
+/// (-s, -b) gives F = s p / ((1 - d) w) at rest, w [1/kg] the scapula's inverse weight
+/// (body_invweight0), so that s = (1 - d) k w. For the built-in anatomy w is 0.265 in a tree and
+/// 0.603 in a loop; for heavier bones k is larger in proportion. b = 2 sqrt(s d) is critical.
+inline constexpr std::array<double, 3> kThoraxContactSolimp = {0.5, 0.5, 0.001};
+inline constexpr std::array<double, 2> kTreeThoraxContactSolref = {-2650, -73};
+inline constexpr std::array<double, 2> kLoopThoraxContactSolref = {-6030, -110};
+
 }  // namespace girdle

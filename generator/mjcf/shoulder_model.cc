@@ -17,6 +17,7 @@
 #include "mjcf/joint_dynamics.h"
 #include "mjcf/xml_element.h"
 #include "tables/number_text.h"
+#include "tables/posed_bones.h"
 #include "tables/rhythm_table_csv.h"
 
 namespace girdle {
@@ -30,7 +31,10 @@ constexpr double kTranslationTrimRange_m = 0.03;
 constexpr double kFastestCommand_rad_per_s = 150;
 
 constexpr double kLandmarkRadius_m = 0.004;
+constexpr double kLigamentRadius_m = 0.002;
 constexpr int kMeshDecimals = 4;  // 0.1 mm
+// What touches the gliding ellipsoid is a point; a geom has to have a radius.
+constexpr double kContactRadius_m = 1e-4;
 
 // The thorax frame's axes in the world: x to x, y to z, z to -y.
 Quaternion ThoraxInWorld() { return QuaternionFromEuler(EulerSequence::kYXZ, {0, kPi / 2, 0}); }
@@ -57,6 +61,15 @@ TriangleMesh OnSide(Side side, TriangleMesh mesh) {
   return mesh;
 }
 
+// Lengths of ligaments are told to 0.1 mm.
+constexpr double kLengthStepsPerMeter = 1e4;
+double RoundedToStep(double length_m) {
+  return std::round(length_m * kLengthStepsPerMeter) / kLengthStepsPerMeter;
+}
+
+// What glides on the thorax.
+constexpr std::array<Landmark, 2> kGliding = {Landmark::kTS, Landmark::kAI};
+
 // Axes of a joint's three hinges in the child's frame, which stands at the hinges' reference
 // angles. With q = R1(a) R2(b) R3(c), a turn of hinge 1 by d gives R1(a + d) R2(b) R3(c) = q
 // Rot(q^-1 e1, d), and so on.
@@ -71,6 +84,23 @@ std::array<Vector3, 3> HingeAxes(EulerSequence sequence, const Vector3& referenc
   const Quaternion whole = QuaternionFromEuler(sequence, reference_rad);
   const Quaternion last = QuaternionFromEuler(sequence, {0, 0, reference_rad.z});
   return {glm::conjugate(whole) * e1, glm::conjugate(last) * e2, e3};
+}
+
+// Calls `visit(command)` all over a domain, a degree apart.
+template <typename Visit>
+void ForEachCommand(const ArmRectangle& domain, const Visit& visit) {
+  constexpr double kStep_rad = kRadiansPerDegree;
+  const auto steps = [](double from_rad, double to_rad) {
+    return static_cast<int>(std::ceil((to_rad - from_rad) / kStep_rad - 0.5));
+  };
+  const int planes = steps(domain.first_plane_rad, domain.last_plane_rad);
+  const int elevations = steps(domain.lowest_elevation_rad, domain.highest_elevation_rad);
+  for (int j = 0; j <= planes; ++j) {
+    for (int i = 0; i <= elevations; ++i) {
+      visit(ArmCommand{domain.lowest_elevation_rad + i * kStep_rad,
+                       domain.first_plane_rad + j * kStep_rad});
+    }
+  }
 }
 
 class ShoulderModelWriter {
@@ -106,9 +136,13 @@ class ShoulderModelWriter {
     WriteDefaults(root.Add("default"));
     WriteAssets(root.Add("asset"));
     WriteBodies(root.Add("worldbody"));
+    if (options_.has_thorax_contact) {
+      WriteContacts(root.Add("contact"));
+    }
     if (options_.assembly == Assembly::kLoop) {
       WriteEqualities(root.Add("equality"));
     }
+    WriteLigaments(root.Add("tendon"));
     XmlElement actuator = root.Add("actuator");
     for (const Side side : sides_) {
       if (options_.actuation == Actuation::kPlugin) {
@@ -145,6 +179,9 @@ class ShoulderModelWriter {
     if (options_.assembly == Assembly::kTree && options_.lead != Lead::kClavicle) {
       throw std::invalid_argument("in a tree nothing but the clavicle can lead");
     }
+    if (options_.has_thorax_contact && options_.lead == Lead::kScapula) {
+      throw std::invalid_argument("thorax contact needs a clavicle that leads");
+    }
   }
 
   // A model that names another table than its own would load and be wrong.
@@ -158,19 +195,7 @@ class ShoulderModelWriter {
   }
 
   void CheckRanges() const {
-    constexpr double kStep_rad = kRadiansPerDegree;
-    const ArmRectangle& domain = rhythm_.domain();
-    const auto steps = [](double from_rad, double to_rad) {
-      return static_cast<int>(std::ceil((to_rad - from_rad) / kStep_rad - 0.5));
-    };
-    const int planes = steps(domain.first_plane_rad, domain.last_plane_rad);
-    const int elevations = steps(domain.lowest_elevation_rad, domain.highest_elevation_rad);
-    for (int j = 0; j <= planes; ++j) {
-      for (int i = 0; i <= elevations; ++i) {
-        CheckRangesAt(
-            {domain.lowest_elevation_rad + i * kStep_rad, domain.first_plane_rad + j * kStep_rad});
-      }
-    }
+    ForEachCommand(rhythm_.domain(), [this](const ArmCommand& command) { CheckRangesAt(command); });
   }
 
   [[nodiscard]] const CoordinateRange& RangeOf(std::size_t coordinate) const {
@@ -265,6 +290,10 @@ class ShoulderModelWriter {
         .Set("size", kLandmarkRadius_m)
         .Set("group", 3)
         .Set("rgba", std::array{0.85, 0.25, 0.1, 1.0});
+    girdle.Add("tendon")
+        .Set("width", kLigamentRadius_m)
+        .Set("group", 2)
+        .Set("rgba", std::array{0.93, 0.93, 0.88, 1.0});
   }
 
   void WriteAssets(XmlElement asset) const {
@@ -314,6 +343,14 @@ class ShoulderModelWriter {
     WriteUnsidedLandmarks(thorax);
     for (const Side side : sides_) {
       WriteLandmarks(thorax, Segment::kThorax, side);
+      if (options_.has_thorax_contact) {
+        thorax.Add("geom")
+            .Set("name", SidedName(kGlidingName, side))
+            .Set("type", "ellipsoid")
+            .Set("size", anatomy_.gliding.radii_m)
+            .Set("pos", OnSide(side, anatomy_.gliding.center_m))
+            .Set("group", 4);
+      }
     }
     for (const Side side : sides_) {
       XmlElement clavicle =
@@ -366,7 +403,75 @@ class ShoulderModelWriter {
     body.Add("geom").Set("name", name).Set("type", "mesh").Set("mesh", name);
     body.Add("site").Set("name", SidedName(kJointSites[joint].child, side));
     WriteLandmarks(body, segment, side);
+    WriteLigamentEnds(body, segment, side);
+    if (segment == Segment::kScapula && options_.has_thorax_contact) {
+      for (const Landmark landmark : kGliding) {
+        body.Add("geom")
+            .Set("name", LandmarkName(landmark, side))
+            .Set("type", "sphere")
+            .Set("size", kContactRadius_m)
+            .Set("pos", OnSide(side, anatomy_.landmark_m(landmark)))
+            .Set("group", 4);
+      }
+    }
     return body;
+  }
+
+  [[nodiscard]] static std::string LandmarkName(Landmark landmark, Side side) {
+    return SidedName(kLandmarks[static_cast<std::size_t>(landmark)].name, side);
+  }
+
+  void WriteLigamentEnds(XmlElement& body, Segment segment, Side side) const {
+    const std::string_view bone = kSegmentNames[static_cast<std::size_t>(segment)];
+    for (std::size_t i = 0; i < kLigamentCount; ++i) {
+      const Ligament& ligament = anatomy_.ligaments[i];
+      if (segment == Segment::kClavicle || segment == Segment::kScapula) {
+        body.Add("site")
+            .Set("name", SidedName(LigamentEndName(kLigamentNames[i], bone), side))
+            .Set("pos", OnSide(side, segment == Segment::kClavicle ? ligament.clavicle_m
+                                                                   : ligament.scapula_m));
+      }
+    }
+  }
+
+  // Ligaments pull and never push: from no length to slack there is no force.
+  void WriteLigaments(XmlElement tendon) const {
+    for (std::size_t i = 0; i < kLigamentCount; ++i) {
+      const Ligament& ligament = anatomy_.ligaments[i];
+      const double slack_m = LigamentSlack_m(ligament, anatomy_, assembled_);
+      for (const Side side : sides_) {
+        XmlElement spatial =
+            tendon.Add("spatial")
+                .Set("name", SidedName(kLigamentNames[i], side))
+                .Set("class", "girdle")
+                .Set("stiffness", ligament.stiffness_N_per_m)
+                .Set("springlength", std::array{0.0, slack_m})
+                .Set("range",
+                     std::array{0.0, RoundedToStep(slack_m + ligament.failure_elongation_m)});
+        for (const Segment segment : {Segment::kClavicle, Segment::kScapula}) {
+          const std::string_view bone = kSegmentNames[static_cast<std::size_t>(segment)];
+          spatial.Add("site").Set("site",
+                                  SidedName(LigamentEndName(kLigamentNames[i], bone), side));
+        }
+      }
+    }
+  }
+
+  // Nothing else collides, so that the pairs alone say what touches.
+  void WriteContacts(XmlElement contact) const {
+    const std::array<double, 2>& solref =
+        options_.assembly == Assembly::kTree ? kTreeThoraxContactSolref : kLoopThoraxContactSolref;
+    for (const Side side : sides_) {
+      for (const Landmark landmark : kGliding) {
+        contact.Add("pair")
+            .Set("name", LandmarkName(landmark, side))
+            .Set("geom1", SidedName(kGlidingName, side))
+            .Set("geom2", LandmarkName(landmark, side))
+            .Set("condim", 1)
+            .Set("solref", solref)
+            .Set("solimp", kThoraxContactSolimp);
+      }
+    }
   }
 
   // The slides go along the thorax's axes, which the body's own frame has at q_ST.
@@ -594,6 +699,17 @@ std::vector<Side> SidesOf(Sides sides) {
       break;
   }
   return {Side::kRight, Side::kLeft};
+}
+
+double LigamentSlack_m(const Ligament& ligament, const Anatomy& anatomy,
+                       const AssembledRhythm& rhythm) {
+  double longest_m =
+      LigamentLength_m(ligament, anatomy, HangingIn(RelaxedStanding(), rhythm.rhythm()));
+  ForEachCommand(rhythm.rhythm().domain(), [&](const ArmCommand& command) {
+    longest_m = std::max(longest_m, LigamentLength_m(ligament, anatomy, rhythm.SolvePose(command)));
+  });
+  return std::max(ligament.slack_m,
+                  std::ceil(longest_m * kLengthStepsPerMeter) / kLengthStepsPerMeter);
 }
 
 std::string ShoulderModelXml(const Anatomy& anatomy, const ShoulderRhythm& rhythm,

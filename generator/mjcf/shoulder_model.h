@@ -15,6 +15,7 @@
 #include <string_view>
 #include <vector>
 
+#include "kinematics/assembled_rhythm.h"
 #include "kinematics/assembly.h"
 #include "kinematics/model_names.h"
 #include "kinematics/shoulder_rhythm.h"
@@ -50,7 +51,17 @@ struct ShoulderModelOptions {
   /// With commands for how fast elevation, plane and axial change, which the plugin feeds forward;
   /// for kPlugin and a tree.
   bool has_rates = false;
+  /// With a soft force that keeps TS and AI from sinking into the anatomy's gliding ellipsoid; for
+  /// Lead::kClavicle.
+  bool has_thorax_contact = false;
 };
+
+/// Returns from which length [m] on a ligament pulls in a model: the anatomy's slack, or the
+/// longest that the rhythm makes it anywhere on a grid of 1 deg or in relaxed standing, rounded up
+/// to 0.1 mm, if that is longer. What is asked of the joints never stretches it; what pushes them
+/// aside does.
+[[nodiscard]] double LigamentSlack_m(const Ligament& ligament, const Anatomy& anatomy,
+                                     const AssembledRhythm& rhythm);
 
 /// Returns the model as XML, complete in one file. In a model of both shoulders the landmarks of
 /// the thorax that have no side lie in the median plane. Joint coordinates start where the

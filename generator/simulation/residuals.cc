@@ -14,7 +14,9 @@
 #include "kinematics/isb_frames.h"
 #include "simulation/motion.h"
 #include "tables/built_in.h"
+#include "tables/ellipsoid.h"
 #include "tables/number_text.h"
+#include "tables/posed_bones.h"
 
 namespace girdle {
 namespace {
@@ -48,6 +50,14 @@ constexpr double kGlidingWorst_mm = 17;
 // It was fitted to where SC and AC take the scapula; where ST does is up to 2.5 deg, 6 mm at TS,
 // away.
 constexpr double kLoopGlidingRms_mm = 6.5;
+
+// What is asked of the joints never stretches a ligament; what they lag behind by while they move
+// does: 3 deg of AC, 40 mm off the attachments, would be 2 mm. A tenth of a millimetre, 5 N, is
+// what slack was rounded to.
+constexpr double kStretched_mm = 0.1;
+
+// MuJoCo looks for the nearest point of an ellipsoid until it knows it to 0.001 mm.
+constexpr double kContactSurface_mm = 0.01;
 
 // Duration of a standard motion and of the rest after it.
 constexpr double kMoving_s = 3;
@@ -112,6 +122,14 @@ class Extreme {
 
 using JointExtremes = std::array<Extreme, kJointCount>;
 
+// What a ligament does over poses and motions.
+struct LigamentExtremes {
+  Extreme longest_mm;
+  Extreme shorter_mm;  // than an arm's length: its largest value is the shortest ligament
+  Extreme beyond_slack_mm;
+  Extreme force_N;
+};
+
 // Difference of two angles in [-pi, pi].
 double AngleDifference(double a_rad, double b_rad) {
   return std::remainder(a_rad - b_rad, 2 * kPi);
@@ -144,12 +162,13 @@ class ResidualMeter {
     const auto moving_steps = static_cast<int>(std::lround(motion.duration_s / timestep_s));
     const auto settling_steps = static_cast<int>(std::lround(kSettling_s / timestep_s));
     const int settled_from = moving_steps + static_cast<int>((1 - kSettledShare) * settling_steps);
-    simulation_.Start(motion.command(0));
+    StartAtRest(motion.command(0));
     for (int step = 0; step < moving_steps + settling_steps; ++step) {
       const double time_s = step * timestep_s;
       const ShoulderState state =
           Canonical(simulation_.Step(motion.command(time_s), RateOf(motion, time_s, timestep_s)));
       AddJointGaps(state, motion.name);
+      AddLigaments(state, motion.name);
       if (step >= settled_from) {
         speed_at_rest_.Add(state.fastest_rad_per_s, motion.name, state.command);
       }
@@ -171,12 +190,13 @@ class ResidualMeter {
   void RunCycles(const Motion& motion) {
     const double timestep_s = simulation_.timestep_s();
     const auto steps = static_cast<int>(std::lround(motion.duration_s / timestep_s));
-    simulation_.Start(motion.command(0));
+    StartAtRest(motion.command(0));
     for (int step = 0; step < steps; ++step) {
       const double time_s = step * timestep_s;
       const ShoulderState state =
           Canonical(simulation_.Step(motion.command(time_s), RateOf(motion, time_s, timestep_s)));
       AddJointGaps(state, motion.name);
+      AddLigaments(state, motion.name);
       AddConnect(state, motion.name, connect_cycling_);
     }
   }
@@ -189,7 +209,10 @@ class ResidualMeter {
         const ShoulderState state = VisitPose(command, "table");
         AddScapulothoracic(state, table.position(plane, elevation), command);
         if (is_loop_) {
-          AddEmergent(Settled(command), table.position(plane, elevation), command);
+          AddEmergent(Posed(command), table.position(plane, elevation), command);
+        }
+        if (has_thorax_contact()) {
+          AddThoraxContact(command);
         }
       }
     }
@@ -213,7 +236,9 @@ class ResidualMeter {
         const ArmCommand command = rhythm_.Solve({elevation_rad, plane_rad}).used;
         const ShoulderState state = Settled(command);
         AddConnect(state, "grid", connect_posed_);
-        AddClosure(state, assembled_.SolvePose(command), "grid");
+        AddLigaments(state, "grid");
+        AddClosure(has_thorax_contact() ? Posed(command) : state, assembled_.SolvePose(command),
+                   "grid");
       }
     }
   }
@@ -374,6 +399,8 @@ class ResidualMeter {
       lines.push_back(modelled_gliding_.Worst("scapulothoracic", "the same outside measured data",
                                               "mm", std::nullopt));
     }
+    AddThoraxContactLines(lines);
+    AddLigamentLines(lines);
     return lines;
   }
 
@@ -382,9 +409,118 @@ class ResidualMeter {
     return simulation_.elements().side == Side::kLeft ? MirroredToRight(state) : state;
   }
 
+  [[nodiscard]] bool has_thorax_contact() const {
+    return simulation_.elements().has_thorax_contact();
+  }
+
+  // At a command's targets, or where the thorax has pushed the joints from there.
+  void StartAtRest(const ArmCommand& command) {
+    simulation_.Start(command);
+    constexpr double kPushing_s = 0.3;  // 15 time constants of the servos
+    const auto steps = static_cast<int>(std::lround(kPushing_s / simulation_.timestep_s()));
+    for (int step = 0; has_thorax_contact() && step < steps; ++step) {
+      simulation_.Step(command);
+    }
+  }
+
+  // Where the joints are asked to be: after some steps, unless the thorax pushes them off.
+  ShoulderState Posed(const ArmCommand& command) {
+    return has_thorax_contact() ? Canonical(simulation_.ObserveAtTargets(command))
+                                : Settled(command);
+  }
+
+  // At rest on the thorax: how hard it pushes, and that it alone holds the joints off their
+  // targets.
+  void AddThoraxContact(const ArmCommand& command) {
+    StartAtRest(command);
+    const ShoulderState state = Canonical(simulation_.Observe(command));
+    contact_force_N_.Add(state.contact_force_N, "table", command);
+    contact_depth_mm_.Add(kMillimetersPerMeter * state.contact_depth_m, "table", command);
+    double deepest_m = 0;
+    for (const Landmark landmark : {Landmark::kTS, Landmark::kAI}) {
+      deepest_m = std::max(
+          deepest_m,
+          -DistanceFromEllipsoid(anatomy_.gliding, InThorax(state, state.landmark_m(landmark))));
+    }
+    contact_surface_mm_.Add(kMillimetersPerMeter * (state.contact_depth_m - deepest_m), "table",
+                            command);
+    for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+      pushed_[k / 3].Add(DegreesFromRadians(state.pushed_rad[k]), "table", command);
+    }
+    AddTracking(state, "table", settled_, true);
+  }
+
+  void AddThoraxContactLines(std::vector<Residual>& lines) const {
+    if (!has_thorax_contact()) {
+      return;
+    }
+    const char* const group = "thorax contact";
+    lines.push_back(contact_force_N_.Worst(group, "force on TS or AI", "N", std::nullopt));
+    lines.push_back(
+        contact_surface_mm_.Worst(group, "depth against the anatomy's", "mm", kContactSurface_mm));
+    lines.push_back(
+        contact_depth_mm_.Worst(group, "TS or AI in the ellipsoid", "mm", std::nullopt));
+    const auto driven = DrivenJoints(assembled_.assembly());
+    for (std::size_t joint = 0; joint < kJointCount; ++joint) {
+      lines.push_back(pushed_[joint].Worst(
+          group, std::string(driven[joint]) + " pushed off its target", "deg", std::nullopt));
+    }
+  }
+
+  // Longer than any ligament.
+  static constexpr double kFar_mm = 1000;
+
+  void AddLigaments(const ShoulderState& state, std::string_view motion) {
+    const ShoulderElements& elements = simulation_.elements();
+    for (std::size_t i = 0; i < kLigamentCount; ++i) {
+      LigamentExtremes& extremes = ligaments_[i];
+      const double length_mm = kMillimetersPerMeter * state.ligament_m[i];
+      const double slack_mm = kMillimetersPerMeter *
+                              simulation_.model().tendon_lengthspring[2 * elements.tendons[i] + 1];
+      extremes.longest_mm.Add(length_mm, motion, state.command);
+      extremes.shorter_mm.Add(kFar_mm - length_mm, motion, state.command);
+      extremes.beyond_slack_mm.Add(std::max(0.0, length_mm - slack_mm), motion, state.command);
+      extremes.force_N.Add(state.ligament_force_N[i], motion, state.command);
+    }
+  }
+
+  // Against the attachments of the anatomy in the splines' pose.
+  void AddLigamentLengths(const ShoulderState& state, const ShoulderPose& pose,
+                          std::string_view motion) {
+    for (std::size_t i = 0; i < kLigamentCount; ++i) {
+      const double wanted_m = LigamentLength_m(anatomy_.ligaments[i], anatomy_, pose);
+      ligament_lengths_.Add(kMillimetersPerMeter * (state.ligament_m[i] - wanted_m), motion,
+                            state.command);
+    }
+  }
+
+  void AddLigamentLines(std::vector<Residual>& lines) const {
+    const char* const group = "ligaments";
+    lines.push_back(ligament_lengths_.Worst(group, "lengths against the bones", "mm", kExact_mm));
+    for (std::size_t i = 0; i < kLigamentCount; ++i) {
+      const std::string name(kLigamentNames[i]);
+      const LigamentExtremes& extremes = ligaments_[i];
+      const Ligament& ligament = anatomy_.ligaments[i];
+      const auto millimeters = [](double length_m) {
+        return RoundedText(kMillimetersPerMeter * length_m, 1);
+      };
+      Residual shortest = extremes.shorter_mm.Worst(group, name + ", shortest", "mm", std::nullopt);
+      shortest.value = kFar_mm - shortest.value;
+      lines.push_back(std::move(shortest));
+      lines.push_back(extremes.longest_mm.Worst(group,
+                                                name + ", longest (published " +
+                                                    millimeters(ligament.published_m) + " +- " +
+                                                    millimeters(ligament.published_sd_m) + ")",
+                                                "mm", std::nullopt));
+      lines.push_back(
+          extremes.beyond_slack_mm.Worst(group, name + ", beyond slack", "mm", kStretched_mm));
+      lines.push_back(extremes.force_N.Worst(group, name + ", force", "N", std::nullopt));
+    }
+  }
+
   // At a command's targets, after some steps.
   ShoulderState Settled(const ArmCommand& command) {
-    simulation_.Start(command);
+    StartAtRest(command);
     constexpr int kSteps = 5;
     for (int step = 0; step < kSteps; ++step) {
       simulation_.Step(command);
@@ -495,8 +631,10 @@ class ResidualMeter {
       return;
     }
     for (std::size_t k = 0; k < kCoordinateCount; ++k) {
-      extremes[k / 3].Add(DegreesFromRadians(state.target_rad[k] - state.position_rad[k]), motion,
-                          state.command);
+      // What constraints push a joint off by is known, and told by itself.
+      extremes[k / 3].Add(
+          DegreesFromRadians(state.target_rad[k] - state.position_rad[k] + state.pushed_rad[k]),
+          motion, state.command);
     }
   }
 
@@ -514,6 +652,8 @@ class ResidualMeter {
     AddLandmarkFrames(state, pose, motion);
     AddClosure(state, pose, motion);
     AddGliding(state, motion);
+    AddLigaments(state, motion);
+    AddLigamentLengths(state, pose, motion);
     return state;
   }
 
@@ -627,6 +767,12 @@ class ResidualMeter {
   Extreme scapulothoracic_;
   Extreme gliding_;
   Extreme modelled_gliding_;
+  Extreme contact_force_N_;
+  Extreme contact_depth_mm_;
+  Extreme contact_surface_mm_;
+  JointExtremes pushed_;
+  std::array<LigamentExtremes, kLigamentCount> ligaments_;
+  Extreme ligament_lengths_;
 };
 
 // The motions that every model is run through.
@@ -715,29 +861,6 @@ ResidualReport MeasureResiduals(ShoulderSimulation& simulation, const AssembledR
     }
   }
   return report;
-}
-
-// The nearest point x of the surface has p - x = l grad/2, i.e. x_i = r_i^2 p_i / (l + r_i^2) for
-// the largest root l of sum (r_i p_i / (l + r_i^2))^2 = 1, which bisection finds (Eberly, Distance
-// from a Point to an Ellipsoid).
-double DistanceFromEllipsoid(const Ellipsoid& ellipsoid, const Vector3& point_m) {
-  const Vector3 p = point_m - ellipsoid.center_m;
-  const Vector3 r_squared = ellipsoid.radii_m * ellipsoid.radii_m;
-  const double smallest = std::min({r_squared.x, r_squared.y, r_squared.z});
-  const auto excess = [&](double l) {
-    const Vector3 term = ellipsoid.radii_m * p / (r_squared + l);
-    return glm::dot(term, term) - 1;
-  };
-  double lower = -smallest;
-  double upper = glm::length(ellipsoid.radii_m) * glm::length(p) + glm::dot(p, p);
-  // Halving a range of at most some meters squared this often reaches the last bit.
-  constexpr int kHalvings = 100;
-  for (int i = 0; i < kHalvings; ++i) {
-    const double middle = (lower + upper) / 2;
-    (excess(middle) > 0 ? lower : upper) = middle;
-  }
-  const Vector3 nearest = r_squared * p / (r_squared + upper);
-  return std::copysign(glm::distance(p, nearest), excess(0));
 }
 
 }  // namespace girdle

@@ -50,7 +50,4 @@ struct ResidualReport {
                                               const AssembledRhythm& rhythm, const Anatomy& anatomy,
                                               const ProgressSink& progress);
 
-/// Returns the signed distance [m] of a point from an ellipsoid's surface, positive outside.
-[[nodiscard]] double DistanceFromEllipsoid(const Ellipsoid& ellipsoid, const Vector3& point_m);
-
 }  // namespace girdle

@@ -9,6 +9,7 @@
 
 #include "tables/input_error.h"
 #include "tables/number_text.h"
+#include "tables/rhythm_config.h"
 
 namespace girdle {
 namespace {
@@ -80,6 +81,10 @@ class ElementFinder {
       const bool sided = i >= kLandmarkCount || kLandmarks[i].sided;
       elements.sites[i] = Find(mjOBJ_SITE, "site", SiteStem(i), sided);
     }
+    for (std::size_t i = 0; i < kLigamentCount; ++i) {
+      elements.tendons[i] = Find(mjOBJ_TENDON, "tendon", kLigamentNames[i]);
+    }
+    elements.gliding = Look(mjOBJ_GEOM, kGlidingName);
     if (has_plugin) {
       FindSensor(elements);
     }
@@ -169,6 +174,24 @@ JointRanges RangesOf(const mjModel& model, const ShoulderElements& elements) {
   return ranges;
 }
 
+// Of the servos; none for what follows.
+JointAngles StiffnessOf(const mjModel& model, const ShoulderElements& elements) {
+  if (elements.has_plugin()) {
+    const char* text = mj_getPluginConfig(&model, elements.instance, kStiffnessKey);
+    RhythmConfigText config;
+    config.stiffness = text == nullptr ? "" : text;
+    return ParseRhythmConfig(config).stiffness_N_m_per_rad;
+  }
+  JointAngles stiffness_N_m_per_rad{};
+  const auto coordinates = DrivenCoordinates(elements.assembly);
+  for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+    const int servo =
+        mj_name2id(&model, mjOBJ_ACTUATOR, SidedName(coordinates[k], elements.side).c_str());
+    stiffness_N_m_per_rad[k] = servo < 0 ? 0 : model.actuator_gainprm[mjNGAIN * servo];
+  }
+  return stiffness_N_m_per_rad;
+}
+
 Vector3 OnSide(Side side, const mjtNum* p) {
   const Vector3 position{p[0], p[1], p[2]};
   return side == Side::kRight ? position : Mirrored(position);
@@ -217,7 +240,8 @@ ShoulderSimulation::ShoulderSimulation(ModelPointer model, std::string name)
       model_(std::move(model)),
       data_(MakeData(*model_)),
       shoulders_(FindShoulders(*model_, name_)),
-      ranges_(RangesOf(*model_, shoulders_.front())) {
+      ranges_(RangesOf(*model_, shoulders_.front())),
+      stiffness_N_m_per_rad_(StiffnessOf(*model_, shoulders_.front())) {
   if (!(timestep_s() >= kShortestTimestep_s && timestep_s() <= kLongestTimestep_s)) {
     throw InputError(name_ + ": the time step is " + NumberText(timestep_s()) + " s, expected " +
                      NumberText(kShortestTimestep_s) + " to " + NumberText(kLongestTimestep_s) +
@@ -367,6 +391,10 @@ ShoulderState ShoulderSimulation::Derived(double time_s, const ArmCommand& comma
     state.clamped = used_ != command;
   }
   state.connect_force_N = ConnectForce();
+  AddLigaments(state);
+  if (elements().has_thorax_contact()) {
+    AddThoraxContact(state);
+  }
   for (std::size_t i = 0; i < kSegmentCount; ++i) {
     const mjtNum* q = data_->xquat + 4 * elements().bodies[i];
     state.q_WB[i] = {q[0], q[1], q[2], q[3]};
@@ -397,6 +425,40 @@ double ShoulderSimulation::ConnectForce() const {
     }
   }
   return std::sqrt(squared);
+}
+
+void ShoulderSimulation::AddLigaments(ShoulderState& state) const {
+  for (std::size_t i = 0; i < kLigamentCount; ++i) {
+    const int tendon = elements().tendons[i];
+    state.ligament_m[i] = data_->ten_length[tendon];
+    const double beyond_slack_m = state.ligament_m[i] - model_->tendon_lengthspring[2 * tendon + 1];
+    state.ligament_force_N[i] = model_->tendon_stiffness[tendon] * std::max(0.0, beyond_slack_m);
+  }
+}
+
+void ShoulderSimulation::AddThoraxContact(ShoulderState& state) const {
+  for (int i = 0; i < data_->ncon; ++i) {
+    const mjContact& contact = data_->contact[i];
+    const bool is_ours =
+        contact.geom[0] == elements().gliding || contact.geom[1] == elements().gliding;
+    if (is_ours && contact.efc_address >= 0) {
+      state.contact_force_N =
+          std::max(state.contact_force_N, data_->efc_force[contact.efc_address]);
+      // The sphere that stands for the landmark touches sooner than its centre.
+      const int sphere = contact.geom[contact.geom[0] == elements().gliding ? 1 : 0];
+      state.contact_depth_m =
+          std::max(state.contact_depth_m, -contact.dist - model_->geom_size[3 * sphere]);
+    }
+  }
+  const auto coordinates = DrivenCoordinates(elements().assembly);
+  for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+    if (stiffness_N_m_per_rad_[k] > 0) {
+      const int joint =
+          mj_name2id(model_.get(), mjOBJ_JOINT, SidedName(coordinates[k], elements().side).c_str());
+      state.pushed_rad[k] =
+          data_->qfrc_constraint[model_->jnt_dofadr[joint]] / stiffness_N_m_per_rad_[k];
+    }
+  }
 }
 
 void ShoulderSimulation::Start(const ArmCommand& command) {

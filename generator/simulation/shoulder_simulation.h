@@ -42,9 +42,12 @@ struct ShoulderElements {
   int connect = -1;                         ///< equality that closes the AC joint of a loop
   std::array<int, kSegmentCount> bodies{};  ///< in the order of Segment
   std::array<int, kSiteCount> sites{};
-  int sensor = -1;  ///< address in sensordata, where there is the plugin
+  std::array<int, kLigamentCount> tendons{};  ///< in the order of LigamentName
+  int gliding = -1;                           ///< geom of models with thorax contact
+  int sensor = -1;                            ///< address in sensordata, where there is the plugin
 
   [[nodiscard]] bool has_plugin() const noexcept { return instance >= 0; }
+  [[nodiscard]] bool has_thorax_contact() const noexcept { return gliding >= 0; }
 };
 
 /// Finds the shoulders by the names of model_names.h, the right one first. Throws InputError that
@@ -63,6 +66,14 @@ struct ShoulderState {
   bool clamped = false;
   double distance_rad = 0;     ///< of the command's direction from measured ones
   double connect_force_N = 0;  ///< with which the AC joint of a loop is held together
+  std::array<double, kLigamentCount> ligament_m{};        ///< lengths
+  std::array<double, kLigamentCount> ligament_force_N{};  ///< with which they pull
+  /// With which the thorax pushes TS and AI, the larger one; 0 without thorax contact.
+  double contact_force_N = 0;
+  double contact_depth_m = 0;  ///< of the deeper one in the thorax
+  /// How far constraints hold the coordinates off what the servos aim at: torque over stiffness.
+  /// Of models with thorax contact, else 0.
+  JointAngles pushed_rad{};
   std::array<Quaternion, kSegmentCount>
       q_WB{};                                ///< thorax, clavicle, scapula, humerus in the world
   std::array<Vector3, kSiteCount> site_m{};  ///< in the world
@@ -137,6 +148,8 @@ class ShoulderSimulation {
   [[nodiscard]] Vector3 PlaceFor(const ShoulderElements& elements,
                                  const JointAngles& target_rad) const;
   [[nodiscard]] double ConnectForce() const;
+  void AddLigaments(ShoulderState& state) const;
+  void AddThoraxContact(ShoulderState& state) const;
   [[nodiscard]] JointAngles Positions() const;
   /// Everything that MuJoCo derives, with positions as given.
   [[nodiscard]] ShoulderState Derived(double time_s, const ArmCommand& command,
@@ -149,6 +162,7 @@ class ShoulderSimulation {
   std::vector<ShoulderElements> shoulders_;
   std::size_t watched_ = 0;
   JointRanges ranges_;
+  JointAngles stiffness_N_m_per_rad_;  ///< of the servos
   const AssembledRhythm* rhythm_ = nullptr;
   /// What position servos were told last, and what of it they follow.
   ArmCommand used_;

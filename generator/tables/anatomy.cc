@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tables/csv.h"
+#include "tables/number_text.h"
 
 namespace girdle {
 namespace {
@@ -20,6 +21,9 @@ constexpr double kFarthestLandmark_m = 1;
 constexpr double kHeaviestSegment_kg = 200;
 constexpr double kLargestInertia_kg_m2 = 100;
 constexpr double kHalfCircle_deg = 180;
+// From the clavicle to the coracoid process there are some centimeters.
+constexpr double kLongestLigament_m = 0.2;
+constexpr double kStiffestLigament_N_per_m = 1e7;
 
 // Matches rows to a fixed list of names, each exactly once, in any order.
 class NamedRows {
@@ -172,6 +176,50 @@ void ReadThoraxEllipsoids(std::istream& in, const std::string& name, Anatomy& an
         {Positive(csv, radii[0], kFarthestLandmark_m), Positive(csv, radii[1], kFarthestLandmark_m),
          Positive(csv, radii[2], kFarthestLandmark_m)}};
   }
+}
+
+void ReadLigaments(std::istream& in, const std::string& name, Anatomy& anatomy) {
+  CsvReader csv(in, name);
+  csv.ExpectOnlyColumns({"ligament", "clavicle_x_m", "clavicle_y_m", "clavicle_z_m", "scapula_x_m",
+                         "scapula_y_m", "scapula_z_m", "slack_m", "stiffness_N_per_m",
+                         "failure_elongation_m", "published_m", "published_sd_m"});
+  NamedRows rows(csv, "ligament", {kLigamentNames.begin(), kLigamentNames.end()});
+  const VectorColumns clavicle(csv, {"clavicle_x_m", "clavicle_y_m", "clavicle_z_m"});
+  const VectorColumns scapula(csv, {"scapula_x_m", "scapula_y_m", "scapula_z_m"});
+  const std::size_t slack = csv.Column("slack_m");
+  const std::size_t stiffness = csv.Column("stiffness_N_per_m");
+  const std::size_t failure = csv.Column("failure_elongation_m");
+  const std::size_t published = csv.Column("published_m");
+  const std::size_t published_sd = csv.Column("published_sd_m");
+  while (const std::optional<std::size_t> row = rows.Next()) {
+    anatomy.ligaments[*row] = {clavicle.Meters(),
+                               scapula.Meters(),
+                               Positive(csv, slack, kLongestLigament_m),
+                               Positive(csv, stiffness, kStiffestLigament_N_per_m),
+                               Positive(csv, failure, kLongestLigament_m),
+                               Positive(csv, published, kLongestLigament_m),
+                               Positive(csv, published_sd, kLongestLigament_m)};
+  }
+}
+
+std::string ThoraxEllipsoidsToCsv(const Anatomy& anatomy,
+                                  const std::vector<std::string>& comments) {
+  std::string text;
+  for (const std::string& comment : comments) {
+    text += comment + "\n";
+  }
+  text += "ellipsoid,center_x_m,center_y_m,center_z_m,radius_x_m,radius_y_m,radius_z_m\n";
+  for (const auto& [name, ellipsoid] :
+       {std::pair("ribcage", anatomy.ribcage), std::pair("gliding", anatomy.gliding)}) {
+    text += name;
+    for (const Vector3& vector : {ellipsoid.center_m, ellipsoid.radii_m}) {
+      for (int i = 0; i < 3; ++i) {
+        text += "," + RoundedText(vector[i], kEllipsoidDecimals);
+      }
+    }
+    text += "\n";
+  }
+  return text;
 }
 
 }  // namespace girdle

@@ -9,6 +9,7 @@
 #include <istream>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "kinematics/assembly.h"
 
@@ -84,6 +85,23 @@ inline constexpr double kAdultStature_m = 1.71;
 /// Height of a standing person's jugular notch as a share of the stature (shoulder height of
 /// Drillis and Contini 1966, which is that of the notch).
 inline constexpr double kJugularNotchShare = 0.82;
+/// The two parts of the coracoclavicular ligament.
+enum class LigamentName { kConoid, kTrapezoid };
+inline constexpr std::size_t kLigamentCount = 2;
+inline constexpr std::array<std::string_view, kLigamentCount> kLigamentNames = {"conoid",
+                                                                                "trapezoid"};
+
+/// A straight band from the clavicle to the scapula that pulls when it is longer than slack and
+/// never pushes.
+struct Ligament {
+  Vector3 clavicle_m{0, 0, 0};  ///< attachment, clavicle frame
+  Vector3 scapula_m{0, 0, 0};   ///< attachment, scapula frame
+  double slack_m = 0;           ///< longest length without force
+  double stiffness_N_per_m = 0;
+  double failure_elongation_m = 0;  ///< beyond slack, where ligaments tear
+  double published_m = 0;           ///< length measured in cadavers, for comparison only: mean ...
+  double published_sd_m = 0;        ///< ... and standard deviation
+};
 
 struct Anatomy {
   std::array<Vector3, kLandmarkCount> landmarks_m{};  ///< each in the frame of its segment
@@ -91,8 +109,9 @@ struct Anatomy {
   JointRanges ranges{};
   /// Of the scapula in the thorax, in the order of kScapulothoracicNames.
   std::array<CoordinateRange, 3> scapulothoracic_ranges{};
-  Ellipsoid ribcage;  ///< what is drawn as the thorax
-  Ellipsoid gliding;  ///< what the scapula glides on
+  Ellipsoid ribcage;                                 ///< what is drawn as the thorax
+  Ellipsoid gliding;                                 ///< what the scapula glides on
+  std::array<Ligament, kLigamentCount> ligaments{};  ///< in the order of LigamentName
   /// Whether `gliding` was fitted to these bones, or to such of another size: only then do TS and
   /// AI keep near it.
   bool is_gliding_fitted = true;
@@ -104,6 +123,9 @@ struct Anatomy {
   }
   [[nodiscard]] const SegmentInertia& segment(Segment segment) const noexcept {
     return segments[static_cast<std::size_t>(segment)];
+  }
+  [[nodiscard]] const Ligament& ligament(LigamentName name) const noexcept {
+    return ligaments[static_cast<std::size_t>(name)];
   }
   /// Middle between the epicondyles, humerus frame [m].
   [[nodiscard]] Vector3 elbow_m() const noexcept {
@@ -120,10 +142,19 @@ struct Anatomy {
 /// Each reads one file of an anatomy into `anatomy` and throws InputError, with file and line, at
 /// the first value that cannot be: unknown, missing or repeated rows, a landmark given in another
 /// segment's frame or more than a metre away (millimetres where metres are meant), a mass, inertia
-/// or radius that is not positive, an inertia that no body can have, an empty range.
+/// or radius that is not positive, an inertia that no body can have, an empty range, a ligament
+/// longer than a shoulder or without stiffness.
 void ReadLandmarks(std::istream& in, const std::string& name, Anatomy& anatomy);
 void ReadSegments(std::istream& in, const std::string& name, Anatomy& anatomy);
 void ReadJointRanges(std::istream& in, const std::string& name, Anatomy& anatomy);
 void ReadThoraxEllipsoids(std::istream& in, const std::string& name, Anatomy& anatomy);
+void ReadLigaments(std::istream& in, const std::string& name, Anatomy& anatomy);
+
+/// Returns the anatomy's ellipsoids as a file that ReadThoraxEllipsoids reads: `comments`, each a
+/// line that begins with `#`, the header, the rows. Numbers are rounded to kEllipsoidDecimals
+/// places of a meter.
+[[nodiscard]] std::string ThoraxEllipsoidsToCsv(const Anatomy& anatomy,
+                                                const std::vector<std::string>& comments);
+inline constexpr int kEllipsoidDecimals = 4;
 
 }  // namespace girdle

@@ -47,6 +47,8 @@ Anatomy BuiltInAnatomy() {
   ReadJointRanges(ranges, "data/joint_ranges.csv", anatomy);
   std::istringstream ellipsoids{std::string(built_in_files::kThoraxEllipsoids)};
   ReadThoraxEllipsoids(ellipsoids, "data/thorax_ellipsoids.csv", anatomy);
+  std::istringstream ligaments{std::string(built_in_files::kLigaments)};
+  ReadLigaments(ligaments, "data/ligaments.csv", anatomy);
   return anatomy;
 }
 

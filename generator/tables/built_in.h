@@ -35,8 +35,8 @@ inline constexpr std::array<std::string_view, 2> kBuiltInTableNames = {"measured
 /// Returns one of the tables that are built in. They have the same planes and elevations.
 [[nodiscard]] RhythmTable BuiltInRhythmTable(BuiltInTable table);
 
-/// Returns the adult right shoulder of data/ (landmarks, segments, joint ranges, thorax
-/// ellipsoids).
+/// Returns the adult right shoulder of data/ (landmarks, segments, joint ranges, thorax ellipsoids,
+/// ligaments).
 [[nodiscard]] Anatomy BuiltInAnatomy();
 
 /// Returns the rhythm of a built-in table, the interpolation's default one, in that shoulder's

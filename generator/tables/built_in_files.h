@@ -14,6 +14,7 @@ extern const std::string_view kLandmarks;
 extern const std::string_view kSegments;
 extern const std::string_view kJointRanges;
 extern const std::string_view kThoraxEllipsoids;
+extern const std::string_view kLigaments;
 extern const std::string_view kPostures;
 extern const std::string_view kPublishedRhythms;
 

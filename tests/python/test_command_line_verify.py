@@ -37,6 +37,7 @@ GROUPS = {
     "closure",
     "range",
     "scapulothoracic",
+    "ligaments",
 }
 JOINTS = ("SC", "AC", "GH")
 

@@ -118,6 +118,7 @@ def test_the_readme_shows_every_verb() -> None:
         "simulate",
         "verify",
         "destep",
+        "thorax",
         "compare",
         "continuity",
     }

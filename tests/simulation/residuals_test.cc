@@ -6,11 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
 #include <limits>
 #include <optional>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -21,36 +18,6 @@
 
 namespace girdle {
 namespace {
-
-TEST(DistanceFromEllipsoid, IsThatOfASphereForEqualRadii) {
-  const Ellipsoid sphere{{0.1, -0.2, 0.3}, {0.5, 0.5, 0.5}};
-  std::mt19937 random(5);
-  std::normal_distribution<double> coordinate(0, 0.5);
-  for (int sample = 0; sample < 100; ++sample) {
-    const Vector3 point{coordinate(random), coordinate(random), coordinate(random)};
-    EXPECT_NEAR(DistanceFromEllipsoid(sphere, point), glm::distance(point, sphere.center_m) - 0.5,
-                1e-12)
-        << point.x << " " << point.y << " " << point.z;
-  }
-}
-
-TEST(DistanceFromEllipsoid, UndoesAStepAlongTheNormal) {
-  const Ellipsoid ellipsoid{{-0.087, -0.083, 0.049}, {0.077, 0.201, 0.076}};
-  std::mt19937 random(6);
-  std::uniform_real_distribution<double> angle(0, 2 * kPi);
-  for (int sample = 0; sample < 100; ++sample) {
-    const double u = angle(random);
-    const double v = angle(random);
-    const Vector3 direction{std::cos(u) * std::cos(v), std::sin(u) * std::cos(v), std::sin(v)};
-    const Vector3 normal = glm::normalize(direction / ellipsoid.radii_m);
-    for (const double step_m : {0.03, 1e-6, -0.01}) {
-      // The smallest radius of curvature is 0.076^2 / 0.201 = 29 mm: 10 mm inside is still
-      // unambiguous.
-      const Vector3 point = ellipsoid.center_m + ellipsoid.radii_m * direction + step_m * normal;
-      EXPECT_NEAR(DistanceFromEllipsoid(ellipsoid, point), step_m, 1e-9) << "u " << u << " v " << v;
-    }
-  }
-}
 
 TEST(Residual, AValueThatIsNoNumberDoesNotPass) {
   Residual residual;

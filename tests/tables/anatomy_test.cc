@@ -309,5 +309,90 @@ INSTANTIATE_TEST_SUITE_P(
         CsvFlaw{"no number", [](CsvText& text) { text.Cell(0, "center_x_m") = ""; },
                 "t.csv:2: center_x_m is '', expected a finite number such as 22.5"}));
 
+TEST(ThoraxEllipsoidsToCsv, IsReadBack) {
+  Anatomy anatomy;
+  anatomy.ribcage = {{-0.059, -0.149, 0}, {0.094, 0.208, 0.147}};
+  anatomy.gliding = {{-0.0871, 0.0832, 0.0493}, {0.0774, 0.2015, 0.0766}};
+  std::istringstream in(ThoraxEllipsoidsToCsv(anatomy, {"# how", "# it was made"}));
+  Anatomy again;
+  ReadThoraxEllipsoids(in, "t.csv", again);
+  for (const auto& [read, written] :
+       {std::pair(again.ribcage, anatomy.ribcage), std::pair(again.gliding, anatomy.gliding)}) {
+    EXPECT_EQ(read.center_m, written.center_m);
+    EXPECT_EQ(read.radii_m, written.radii_m);
+  }
+}
+
+TEST(ReadLigaments, ReadsBoth) {
+  CsvText text(built_in_files::kLigaments);
+  const Anatomy anatomy = Read(ReadLigaments, text);
+  for (const auto& [ligament, name] :
+       {std::pair(anatomy.ligament(LigamentName::kConoid), "conoid"),
+        std::pair(anatomy.ligament(LigamentName::kTrapezoid), "trapezoid")}) {
+    EXPECT_EQ(ligament.clavicle_m,
+              Vector3(NumberIn(text, name, "clavicle_x_m"), NumberIn(text, name, "clavicle_y_m"),
+                      NumberIn(text, name, "clavicle_z_m")))
+        << name;
+    EXPECT_EQ(ligament.scapula_m,
+              Vector3(NumberIn(text, name, "scapula_x_m"), NumberIn(text, name, "scapula_y_m"),
+                      NumberIn(text, name, "scapula_z_m")))
+        << name;
+    EXPECT_EQ(ligament.slack_m, NumberIn(text, name, "slack_m")) << name;
+    EXPECT_EQ(ligament.stiffness_N_per_m, NumberIn(text, name, "stiffness_N_per_m")) << name;
+    EXPECT_EQ(ligament.failure_elongation_m, NumberIn(text, name, "failure_elongation_m")) << name;
+    EXPECT_EQ(ligament.published_m, NumberIn(text, name, "published_m")) << name;
+    EXPECT_EQ(ligament.published_sd_m, NumberIn(text, name, "published_sd_m")) << name;
+  }
+}
+
+class FlawedLigaments : public testing::TestWithParam<CsvFlaw> {};
+
+TEST_P(FlawedLigaments, AreRefusedWithPlaceAndReason) {
+  EXPECT_EQ(MessageOn(ReadLigaments, built_in_files::kLigaments, GetParam()), GetParam().message);
+}
+
+// conoid and trapezoid stand in lines 2 and 3.
+INSTANTIATE_TEST_SUITE_P(
+    OneFlawEach, FlawedLigaments,
+    testing::Values(
+        CsvFlaw{"missing column", [](CsvText& text) { text.RemoveColumn("slack_m"); },
+                "t.csv:1: column 'slack_m' is missing. The header has: ligament, clavicle_x_m, "
+                "clavicle_y_m, clavicle_z_m, scapula_x_m, scapula_y_m, scapula_z_m, "
+                "stiffness_N_per_m, failure_elongation_m, published_m, published_sd_m"},
+        CsvFlaw{"unknown column", [](CsvText& text) { text.AddColumn("damping", "0"); },
+                "t.csv:1: column 'damping' is not known. Remove it or correct its name"},
+        CsvFlaw{"unknown row", [](CsvText& text) { text.Cell(1, "ligament") = "costoclavicular"; },
+                "t.csv:3: 'costoclavicular' is not known"},
+        CsvFlaw{"row twice", [](CsvText& text) { text.rows.push_back(text.rows[0]); },
+                "t.csv:4: 'conoid' stands twice. Remove one of the rows"},
+        CsvFlaw{"missing row", [](CsvText& text) { text.RemoveRow(1); },
+                "t.csv:2: no row for trapezoid"},
+        CsvFlaw{"clavicle's attachment in millimeters",
+                [](CsvText& text) { text.Cell(0, "clavicle_z_m") = "129.3"; },
+                "t.csv:2: a position more than 1 m from the origin. Give meters, not millimeters"},
+        CsvFlaw{"scapula's attachment in millimeters",
+                [](CsvText& text) { text.Cell(1, "scapula_z_m") = "-26.4"; },
+                "t.csv:3: a position more than 1 m from the origin. Give meters, not millimeters"},
+        CsvFlaw{"slack in millimeters", [](CsvText& text) { text.Cell(0, "slack_m") = "24"; },
+                "t.csv:2: slack_m is 24, expected 0 to 0.2"},
+        CsvFlaw{"no slack", [](CsvText& text) { text.Cell(0, "slack_m") = "0"; },
+                "t.csv:2: slack_m is 0, expected a positive number"},
+        CsvFlaw{"no stiffness", [](CsvText& text) { text.Cell(1, "stiffness_N_per_m") = "0"; },
+                "t.csv:3: stiffness_N_per_m is 0, expected a positive number"},
+        CsvFlaw{"a ligament that pushes",
+                [](CsvText& text) { text.Cell(1, "stiffness_N_per_m") = "-51500"; },
+                "t.csv:3: stiffness_N_per_m is -51500, expected 0 to 1e+07"},
+        CsvFlaw{"elongation in millimeters",
+                [](CsvText& text) { text.Cell(0, "failure_elongation_m") = "7.7"; },
+                "t.csv:2: failure_elongation_m is 7.7, expected 0 to 0.2"},
+        CsvFlaw{"published length in millimeters",
+                [](CsvText& text) { text.Cell(0, "published_m") = "12.3"; },
+                "t.csv:2: published_m is 12.3, expected 0 to 0.2"},
+        CsvFlaw{"negative deviation",
+                [](CsvText& text) { text.Cell(0, "published_sd_m") = "-0.0066"; },
+                "t.csv:2: published_sd_m is -0.0066, expected 0 to 0.2"},
+        CsvFlaw{"no number", [](CsvText& text) { text.Cell(0, "scapula_y_m") = "O"; },
+                "t.csv:2: scapula_y_m is 'O', expected a finite number such as 22.5"}));
+
 }  // namespace
 }  // namespace girdle
