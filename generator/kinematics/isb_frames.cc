@@ -75,8 +75,7 @@ std::optional<LandmarkFlaw> FlawOfThorax(const ThoraxPoints& thorax) {
 }
 
 std::optional<LandmarkFlaw> FlawOfScapula(const ScapulaPoints& scapula) {
-  if (const auto flaw =
-          FlawOfPlane({"PAC", scapula.pac_m}, {"TS", scapula.ts_m}, {"AI", scapula.ai_m})) {
+  if (auto flaw = FlawOfPlane({"PAC", scapula.pac_m}, {"TS", scapula.ts_m}, {"AI", scapula.ai_m})) {
     return flaw;
   }
   if (glm::distance(scapula.pac_m, scapula.ai_m) < glm::distance(scapula.pac_m, scapula.ts_m)) {
@@ -130,8 +129,7 @@ std::optional<LandmarkFlaw> FlawOfRightShoulder(const ThoraxPoints& thorax,
   if (auto flaw = FlawOfScapula(scapula)) {
     return flaw;
   }
-  if (const auto flaw =
-          FlawOfPlane({"GH", humerus.gh_m}, {"EM", humerus.em_m}, {"EL", humerus.el_m})) {
+  if (auto flaw = FlawOfPlane({"GH", humerus.gh_m}, {"EM", humerus.em_m}, {"EL", humerus.el_m})) {
     return flaw;
   }
   // The sides: SC stands to the right of the median plane; in front of the blade is the coracoid
