@@ -3,9 +3,11 @@
 
 #include "commands/anatomy_arguments.h"
 
+#include <algorithm>
 #include <fstream>
 #include <stdexcept>
 
+#include "rhythms/fitted_anatomy.h"
 #include "tables/built_in.h"
 #include "tables/input_error.h"
 #include "tables/number_text.h"
@@ -55,12 +57,34 @@ Anatomy AnatomyOf(const std::string& file, const BodySize& size) {
   return size.body_mass_kg ? WithBodyMass(anatomy, adult, *size.body_mass_kg) : anatomy;
 }
 
+// The ellipsoids of a file, or one fitted to bones of other proportions.
+void ChooseThorax(const AnatomyArguments& arguments, Anatomy& anatomy) {
+  if (!anatomy.has_adult_proportions) {
+    try {
+      anatomy = FittedToRhythm(anatomy,
+                               BuiltInRhythmTable(DefaultTable(RhythmOptions{}.interpolation)));
+    } catch (const std::invalid_argument& error) {
+      throw InputError("this anatomy's scapula does not glide on a thorax: " +
+                       std::string(error.what()) + ". Give one with --thorax FILE");
+    }
+  }
+  if (!arguments.thorax.empty()) {
+    std::ifstream in = OpenTextFile(arguments.thorax);
+    ReadThoraxEllipsoids(in, arguments.thorax, anatomy);
+    anatomy.has_adult_proportions = false;
+  }
+}
+
 }  // namespace
 
 void AddAnatomyArguments(CLI::App& verb, AnatomyArguments& arguments) {
   verb.add_option("--anatomy", arguments.file,
                   "Landmarks of one person, a CSV in the format of data/landmarks.csv; in place of "
                   "the built-in adult")
+      ->type_name("FILE");
+  verb.add_option("--thorax", arguments.thorax,
+                  "Ellipsoids of the thorax, a CSV as girdle thorax --out writes it; in place of "
+                  "those that belong to the bones")
       ->type_name("FILE");
   for (std::size_t i = 0; i < kBodyMeasures.size(); ++i) {
     const BodyMeasure& measure = kBodyMeasures[i];
@@ -71,8 +95,16 @@ void AddAnatomyArguments(CLI::App& verb, AnatomyArguments& arguments) {
 
 Anatomy ChosenAnatomy(const AnatomyArguments& arguments) {
   const BodySize size = ChosenSize(arguments);
-  return arguments.file.empty() ? ScaledAnatomy(BuiltInAnatomy(), size)
-                                : AnatomyOf(arguments.file, size);
+  Anatomy anatomy = arguments.file.empty() ? ScaledAnatomy(BuiltInAnatomy(), size)
+                                           : AnatomyOf(arguments.file, size);
+  ChooseThorax(arguments, anatomy);
+  return anatomy;
+}
+
+bool IsAnatomyChosen(const AnatomyArguments& arguments) noexcept {
+  return !arguments.file.empty() || !arguments.thorax.empty() ||
+         std::any_of(arguments.measures.begin(), arguments.measures.end(),
+                     [](const std::string& measure) { return !measure.empty(); });
 }
 
 }  // namespace girdle

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "commands/anatomy_arguments.h"
 #include "commands/output_file.h"
 #include "commands/rhythm_arguments.h"
 #include "rhythms/gliding_fit.h"
@@ -29,6 +30,7 @@ constexpr int kMillimeterDecimals = 1;
 constexpr int kDistanceDecimals = 2;
 
 struct ThoraxArguments {
+  AnatomyArguments anatomy;
   std::string table;
   std::string out;
   bool json = false;
@@ -230,6 +232,7 @@ void AddThoraxCommand(CLI::App& program) {
   CLI::App* verb = program.add_subcommand(
       "thorax", "The ellipsoid that the scapula glides on, fitted to where TS and AI go");
   AddTableArgument(*verb, arguments->table);
+  AddAnatomyArguments(*verb, arguments->anatomy);
   verb->add_option("--out", arguments->out,
                    "File for the fitted ellipsoid, in the format of data/thorax_ellipsoids.csv; - "
                    "for standard output")
@@ -240,8 +243,8 @@ void AddThoraxCommand(CLI::App& program) {
       "far "
       "TS and AI are from\nthe surface over the table's measured positions; beside it the same of "
       "the anatomy's own ellipsoid.\n"
-      "Example:\n  girdle thorax --out thorax.csv");
-  verb->callback([arguments] { FitThorax(*arguments, BuiltInAnatomy()); });
+      "Examples:\n  girdle thorax --out thorax.csv\n  girdle thorax --anatomy landmarks.csv");
+  verb->callback([arguments] { FitThorax(*arguments, ChosenAnatomy(arguments->anatomy)); });
 }
 
 }  // namespace girdle

@@ -388,7 +388,7 @@ class ResidualMeter {
     // Of an ellipsoid that was not fitted to these bones nothing is promised.
     const double size = anatomy_.gliding.radii_m.y / BuiltInAnatomy().gliding.radii_m.y;
     const auto tolerance_mm = [&](double adult_mm) {
-      return anatomy_.is_gliding_fitted ? std::optional(size * adult_mm) : std::nullopt;
+      return anatomy_.has_adult_proportions ? std::optional(size * adult_mm) : std::nullopt;
     };
     lines.push_back(
         gliding_.RootMeanSquare("scapulothoracic", "TS, AI to ellipsoid, rms", "mm",

@@ -12,6 +12,7 @@
 
 #include "simulation/residual_report.h"
 #include "tables/input_error.h"
+#include "tables/ellipsoid.h"
 #include "tables/number_text.h"
 
 namespace girdle {

@@ -85,7 +85,7 @@ SegmentScales ScalesOf(const Anatomy& anatomy, const Anatomy& adult) noexcept {
           ratio(Landmark::kTS), glm::length(anatomy.elbow_m()) / glm::length(adult.elbow_m())};
 }
 
-void GrowMasses(const Anatomy& adult, const SegmentScales& scales, Anatomy& anatomy) noexcept {
+void GrowTissues(const Anatomy& adult, const SegmentScales& scales, Anatomy& anatomy) noexcept {
   for (std::size_t i = 0; i < kSegmentCount; ++i) {
     const double scale = scales[i];
     // m ~ L^3, I ~ m L^2.
@@ -100,6 +100,16 @@ void GrowMasses(const Anatomy& adult, const SegmentScales& scales, Anatomy& anat
   anatomy.gliding = adult.gliding;
   ScaleEllipsoid(thorax_scale, anatomy.ribcage);
   ScaleEllipsoid(thorax_scale, anatomy.gliding);
+  const double clavicle_scale = scales[static_cast<std::size_t>(Segment::kClavicle)];
+  const double scapula_scale = scales[static_cast<std::size_t>(Segment::kScapula)];
+  anatomy.ligaments = adult.ligaments;
+  for (Ligament& ligament : anatomy.ligaments) {
+    ligament.clavicle_m *= clavicle_scale;
+    ligament.scapula_m *= scapula_scale;
+    const double scale = (clavicle_scale + scapula_scale) / 2;
+    ligament.slack_m *= scale;
+    ligament.failure_elongation_m *= scale;
+  }
 }
 
 Anatomy ScaledAnatomy(const Anatomy& anatomy, const BodySize& size) {
@@ -117,13 +127,13 @@ Anatomy ScaledAnatomy(const Anatomy& anatomy, const BodySize& size) {
   for (std::size_t i = 0; i < kLandmarkCount; ++i) {
     scaled.landmarks_m[i] *= scales[static_cast<std::size_t>(kLandmarks[i].segment)];
   }
-  GrowMasses(anatomy, scales, scaled);
+  GrowTissues(anatomy, scales, scaled);
   if (size.stature_m) {
     scaled.jugular_notch_height_m = JugularNotchHeight_m(*size.stature_m);
   }
   // The humerus does not touch the thorax.
   if (size.clavicle_length_m || size.scapula_length_m) {
-    scaled.is_gliding_fitted = false;
+    scaled.has_adult_proportions = false;
   }
   return size.body_mass_kg ? WithBodyMass(scaled, anatomy, *size.body_mass_kg) : scaled;
 }

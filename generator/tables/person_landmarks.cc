@@ -363,10 +363,10 @@ Anatomy ReadPersonAnatomy(std::istream& in, const std::string& name, const Anato
   set(Landmark::kGC,
       anatomy.landmark_m(Landmark::kGH) +
           scapula_scale * (adult.landmark_m(Landmark::kGC) - adult.landmark_m(Landmark::kGH)));
-  GrowMasses(adult, scales, anatomy);
+  GrowTissues(adult, scales, anatomy);
   anatomy.jugular_notch_height_m =
       scales[static_cast<std::size_t>(Segment::kThorax)] * adult.jugular_notch_height_m;
-  anatomy.is_gliding_fitted = false;
+  anatomy.has_adult_proportions = false;
   return anatomy;
 }
 

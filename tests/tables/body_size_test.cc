@@ -79,7 +79,7 @@ TEST(ScaledAnatomy, OfNoMeasureIsTheSameBitByBit) {
   EXPECT_EQ(same.gliding.radii_m, Adult().gliding.radii_m);
   EXPECT_EQ(same.ribcage.radii_m, Adult().ribcage.radii_m);
   EXPECT_EQ(same.jugular_notch_height_m, Adult().jugular_notch_height_m);
-  EXPECT_TRUE(same.is_gliding_fitted);
+  EXPECT_TRUE(same.has_adult_proportions);
 }
 
 TEST(ScaledAnatomy, GrowsAsAWholeWithStature) {
@@ -91,7 +91,7 @@ TEST(ScaledAnatomy, GrowsAsAWholeWithStature) {
   }
   ExpectGrown(tall.ribcage, Adult().ribcage, kScale);
   ExpectGrown(tall.gliding, Adult().gliding, kScale);
-  EXPECT_TRUE(tall.is_gliding_fitted);
+  EXPECT_TRUE(tall.has_adult_proportions);
 }
 
 TEST(ScaledAnatomy, StandsWithItsNotchAtAShareOfStature) {
@@ -139,9 +139,9 @@ TEST(ScaledAnatomy, LetsALengthWinOverStature) {
 
 // TS and AI are carried by clavicle and scapula; what was fitted to them is fitted no more.
 TEST(ScaledAnatomy, DoesNotClaimAFitForBonesOfOtherProportions) {
-  EXPECT_FALSE(ScaledAnatomy(Adult(), {.clavicle_length_m = 0.14}).is_gliding_fitted);
-  EXPECT_FALSE(ScaledAnatomy(Adult(), {.scapula_length_m = 0.14}).is_gliding_fitted);
-  EXPECT_TRUE(ScaledAnatomy(Adult(), {.humerus_length_m = 0.33}).is_gliding_fitted);
+  EXPECT_FALSE(ScaledAnatomy(Adult(), {.clavicle_length_m = 0.14}).has_adult_proportions);
+  EXPECT_FALSE(ScaledAnatomy(Adult(), {.scapula_length_m = 0.14}).has_adult_proportions);
+  EXPECT_TRUE(ScaledAnatomy(Adult(), {.humerus_length_m = 0.33}).has_adult_proportions);
 }
 
 TEST(ScaledAnatomy, KeepsTheJointRanges) {

@@ -256,7 +256,7 @@ TEST(ReadPersonAnatomy, GivesMassesAndEllipsoidsTheSizeOfTheBones) {
 }
 
 TEST(ReadPersonAnatomy, DoesNotClaimThatTheGlidingEllipsoidFits) {
-  EXPECT_FALSE(Read(std::string(built_in_files::kLandmarks)).is_gliding_fitted);
+  EXPECT_FALSE(Read(std::string(built_in_files::kLandmarks)).has_adult_proportions);
 }
 
 // --- What is refused ------------------------------------------------------------------------

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "rhythms/fitted_anatomy.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "rhythms/gliding_fit.h"
+#include "tables/posed_bones.h"
+
+namespace girdle {
+namespace {
+
+double LongestLength_m(const Ligament& ligament, const Anatomy& anatomy, const RhythmTable& table) {
+  double longest_m = 0;
+  for (std::size_t plane = 0; plane < table.planes_rad().size(); ++plane) {
+    for (std::size_t elevation = 0; elevation < table.elevations_rad().size(); ++elevation) {
+      const ShoulderPose pose = PoseFromAngles(table.position(plane, elevation).angles_rad);
+      longest_m = std::max(longest_m, LigamentLength_m(ligament, anatomy, pose));
+    }
+  }
+  return longest_m;
+}
+
+double RoundedUp_m(double length_m) {
+  constexpr double kPerMeter = 1e4;
+  return std::ceil(length_m * kPerMeter) / kPerMeter;
+}
+
+}  // namespace
+
+Anatomy FittedToRhythm(Anatomy anatomy, const RhythmTable& table) {
+  anatomy.gliding = FitGlidingEllipsoid(anatomy, table).ellipsoid;
+  for (Ligament& ligament : anatomy.ligaments) {
+    ligament.slack_m = RoundedUp_m(LongestLength_m(ligament, anatomy, table));
+  }
+  return anatomy;
+}
+
+}  // namespace girdle

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+/// What of an anatomy follows from its bones and the rhythm together: the surface that the scapula
+/// glides on, and how long the ligaments get.
+#pragma once
+
+#include "kinematics/rhythm_table.h"
+#include "tables/anatomy.h"
+
+namespace girdle {
+
+/// Returns `anatomy` with the gliding ellipsoid fitted to its own TS and AI (FitGlidingEllipsoid) and
+/// with ligaments whose slack is their longest length in the positions of a table, rounded up to
+/// 0.1 mm. Throws std::invalid_argument if no ellipsoid of a body's size fits.
+[[nodiscard]] Anatomy FittedToRhythm(Anatomy anatomy, const RhythmTable& table);
+
+}  // namespace girdle
