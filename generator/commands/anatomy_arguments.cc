@@ -61,8 +61,7 @@ Anatomy AnatomyOf(const std::string& file, const BodySize& size) {
 void ChooseThorax(const AnatomyArguments& arguments, Anatomy& anatomy) {
   if (!anatomy.has_adult_proportions) {
     try {
-      anatomy = FittedToRhythm(anatomy,
-                               BuiltInRhythmTable(DefaultTable(RhythmOptions{}.interpolation)));
+      anatomy = FittedToRhythm(anatomy);
     } catch (const std::invalid_argument& error) {
       throw InputError("this anatomy's scapula does not glide on a thorax: " +
                        std::string(error.what()) + ". Give one with --thorax FILE");

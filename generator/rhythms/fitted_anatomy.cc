@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "rhythms/gliding_fit.h"
+#include "tables/built_in.h"
 #include "tables/posed_bones.h"
 
 namespace girdle {
@@ -30,10 +31,13 @@ double RoundedUp_m(double length_m) {
 
 }  // namespace
 
-Anatomy FittedToRhythm(Anatomy anatomy, const RhythmTable& table) {
-  anatomy.gliding = FitGlidingEllipsoid(anatomy, table).ellipsoid;
+Anatomy FittedToRhythm(Anatomy anatomy) {
+  const RhythmTable measured = BuiltInRhythmTable(BuiltInTable::kMeasured);
+  const RhythmTable destepped = BuiltInRhythmTable(BuiltInTable::kDestepped);
+  anatomy.gliding = FitGlidingEllipsoid(anatomy, destepped).ellipsoid;
   for (Ligament& ligament : anatomy.ligaments) {
-    ligament.slack_m = RoundedUp_m(LongestLength_m(ligament, anatomy, table));
+    ligament.slack_m = RoundedUp_m(std::max(LongestLength_m(ligament, anatomy, measured),
+                                            LongestLength_m(ligament, anatomy, destepped)));
   }
   return anatomy;
 }

@@ -5,14 +5,14 @@
 /// glides on, and how long the ligaments get.
 #pragma once
 
-#include "kinematics/rhythm_table.h"
 #include "tables/anatomy.h"
 
 namespace girdle {
 
-/// Returns `anatomy` with the gliding ellipsoid fitted to its own TS and AI (FitGlidingEllipsoid) and
-/// with ligaments whose slack is their longest length in the positions of a table, rounded up to
-/// 0.1 mm. Throws std::invalid_argument if no ellipsoid of a body's size fits.
-[[nodiscard]] Anatomy FittedToRhythm(Anatomy anatomy, const RhythmTable& table);
+/// Returns `anatomy` with the gliding ellipsoid fitted to its own TS and AI under the built-in rhythm
+/// (FitGlidingEllipsoid), and with ligaments whose slack is their longest length in the positions
+/// of the built-in tables, rounded up to 0.1 mm, as in data/ligaments.csv. Throws
+/// std::invalid_argument if no ellipsoid of a body's size fits.
+[[nodiscard]] Anatomy FittedToRhythm(Anatomy anatomy);
 
 }  // namespace girdle
