@@ -8,6 +8,19 @@
 #include "tables/number_text.h"
 
 namespace girdle {
+namespace {
+
+// Two spaces a level, as MuJoCo Menagerie has its models.
+class Printer : public tinyxml2::XMLPrinter {
+ protected:
+  void PrintSpace(int depth) override {
+    for (int level = 0; level < depth; ++level) {
+      Write("  ");
+    }
+  }
+};
+
+}  // namespace
 
 XmlElement XmlElement::Add(const char* name) {
   return XmlElement(element_->InsertNewChildElement(name));
@@ -52,7 +65,7 @@ XmlFile::XmlFile(const char* root_name) : root_(document_.NewElement(root_name))
 }
 
 std::string XmlFile::Text() const {
-  tinyxml2::XMLPrinter printer;
+  Printer printer;
   document_.Print(&printer);
   return printer.CStr();
 }

@@ -77,6 +77,31 @@ INSTANTIATE_TEST_SUITE_P(Names, SceneCamera,
                                          Camera{"above", {0, 0, 1}},
                                          Camera{"oblique", {0.6, -0.64, 0.48}}));
 
+TEST(Scene, OfALeftShoulderIsSeenFromTheMirroredPlaces) {
+  const ParsedXml left(SceneXml("shoulder.xml", BuiltInAnatomy(), Sides::kLeft));
+  const auto mirrored = [](const Vector3& p) { return Vector3{p.x, -p.y, p.z}; };
+  EXPECT_EQ(VectorIn(left.Child("statistic"), "center"),
+            mirrored(VectorIn(Scene().Child("statistic"), "center")));
+  for (const char* name : {"front", "back", "above", "oblique"}) {
+    EXPECT_EQ(VectorIn(left.Named("camera", name), "pos"),
+              mirrored(VectorIn(Scene().Named("camera", name), "pos")))
+        << name;
+  }
+}
+
+// The horizon's direction turns round as well where a camera stands to the side.
+TEST(Scene, OfALeftShoulderHasItsObliquePictureUprightAndOfTheMiddle) {
+  const ParsedXml left(SceneXml("shoulder.xml", BuiltInAnatomy(), Sides::kLeft));
+  const auto& camera = left.Named("camera", "oblique");
+  const auto axes = NumbersOf(camera, "xyaxes");
+  const Vector3 x{axes.at(0), axes.at(1), axes.at(2)};
+  const Vector3 y{axes.at(3), axes.at(4), axes.at(5)};
+  const Vector3 to_middle = VectorIn(left.Child("statistic"), "center") - VectorIn(camera, "pos");
+  EXPECT_LT(glm::length(glm::cross(x, y) + glm::normalize(to_middle)), 2 * kPrinted);
+  EXPECT_NEAR(x.z, 0, kPrinted);
+  EXPECT_GE(y.z, 0);
+}
+
 // --- Other people ---------------------------------------------------------------------------
 
 struct Person {

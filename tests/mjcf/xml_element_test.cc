@@ -21,7 +21,7 @@ TEST(XmlFile, IsItsElementsInOrder) {
   file.root().Add("first").Set("name", "a");
   file.root().Add("second").Add("third");
   EXPECT_EQ(file.Text(),
-            "<root>\n    <first name=\"a\"/>\n    <second>\n        <third/>\n    </second>\n"
+            "<root>\n  <first name=\"a\"/>\n  <second>\n    <third/>\n  </second>\n"
             "</root>\n");
 }
 
@@ -63,7 +63,7 @@ TEST(XmlElement, WritesCommentsWhereTheyAreAdded) {
   XmlFile file("root");
   file.root().AddComment("one");
   file.root().Add("after");
-  EXPECT_EQ(file.Text(), "<root>\n    <!-- one -->\n    <after/>\n</root>\n");
+  EXPECT_EQ(file.Text(), "<root>\n  <!-- one -->\n  <after/>\n</root>\n");
 }
 
 }  // namespace
