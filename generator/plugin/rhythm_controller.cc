@@ -11,6 +11,8 @@
 #include <string>
 #include <string_view>
 
+#include "tables/number_text.h"
+
 namespace girdle {
 namespace {
 
@@ -132,6 +134,7 @@ RhythmController::RhythmController(const mjModel& model, int instance, const Rhy
                "joint=\"...\" gear=\"0\"");
   }
   const Assembly assembly = CheckServos(has_servo);
+  CheckStiffness(config);
   FindSensors(model, instance);
   const auto first_rate = has_command.begin() + kCommandCount + kOffsetCount;
   has_rates_ = std::any_of(first_rate, has_command.end(), [](bool has) { return has; });
@@ -195,6 +198,23 @@ Assembly RhythmController::CheckServos(const std::array<bool, kServoRoleCount>& 
     expect_three(kTranslationRole);
   }
   return st ? Assembly::kLoop : Assembly::kTree;
+}
+
+// Without a servo nothing says where a joint is, but where the scapula leads the clavicle.
+void RhythmController::CheckStiffness(const RhythmConfig& config) const {
+  std::string text;
+  bool is_held = true;
+  for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+    const double stiffness = config.stiffness_N_m_per_rad[k];
+    text += (text.empty() ? "" : " ") + NumberText(stiffness);
+    is_held = is_held && (stiffness > 0 || (has_translations_ && k < 2));
+  }
+  if (!is_held) {
+    throw std::runtime_error(std::string(kStiffnessKey) + " is \"" + text +
+                             "\", expected one positive number of N m/rad, or nine in the order "
+                             "sc, ac, gh. 0 is for sc_protraction and sc_elevation alone, where "
+                             "st_ servos drive the scapula's place");
+  }
 }
 
 // Where the clavicle begins in the thorax, and where on it the scapula hangs: from the connect of

@@ -114,6 +114,8 @@ class RhythmController {
   void AddServo(const mjModel& model, int actuator, std::size_t role, const RhythmConfig& config);
   /// Which assembly the servos make; throws if they make none.
   [[nodiscard]] Assembly CheckServos(const std::array<bool, kServoRoleCount>& has_servo);
+  /// Throws if a servo that has to hold its joint has no stiffness.
+  void CheckStiffness(const RhythmConfig& config) const;
   void FindClavicle(const mjModel& model);
   void FindSensors(const mjModel& model, int instance);
   [[nodiscard]] JointRanges RangesOf(const mjModel& model, Assembly assembly) const noexcept;

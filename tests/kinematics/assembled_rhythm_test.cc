@@ -131,6 +131,16 @@ RC_GTEST_PROP(LoopRhythm, AnswersTheCommandThatThePlainOneDoes, ()) {
   RC_ASSERT(SameBits(pose, Loop().SolvePose(command)));
 }
 
+RC_GTEST_PROP(LoopRhythm, OfAClampedRangeIsWhereItsNearestPointIs, ()) {
+  static const AssembledRhythm kLoop =
+      Assembled(Assembly::kLoop, {Interpolation::kSmooth, Closure::kExact, Range::kClamp});
+  const ArmCommand command = *AnyCommand();
+  ArmCommand used;
+  const ShoulderPose pose = kLoop.SolvePose(command, &used);
+  // The offsets of the command used are within their bounds already, but for rounding.
+  RC_ASSERT(Apart_rad(pose, kLoop.SolvePose(used)) < kRounding_rad);
+}
+
 RC_GTEST_PROP(LoopRhythm, OfClosureExactPointsTheHumerusWhereItIsTold, ()) {
   const ArmCommand command = *AnyCommand();
   ArmCommand used;

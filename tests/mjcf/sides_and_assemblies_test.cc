@@ -299,6 +299,19 @@ TEST_P(BothShoulders, PutWhatHasNoSideInTheMedianPlane) {
   EXPECT_NE(VectorIn(right_.Named("site", "PX"), "pos").z, 0) << "nothing had to be moved";
 }
 
+// The shipped thorax has its centre there already.
+TEST(BothShouldersOfSomebodyElse, HaveTheThoraxsCentreOfMassInTheMedianPlane) {
+  Anatomy anatomy = BuiltInAnatomy();
+  anatomy.segments[static_cast<std::size_t>(Segment::kThorax)].center_of_mass_m.z = 0.01;
+  const auto across_m = [&anatomy](Sides sides) {
+    const ParsedXml model(ShoulderModelXml(anatomy, DefaultRhythm(), {.sides = sides}));
+    return VectorIn(*model.Named("body", "thorax").FirstChildElement("inertial"), "pos").z;
+  };
+  EXPECT_EQ(across_m(Sides::kRight), 0.01);
+  EXPECT_EQ(across_m(Sides::kLeft), -0.01);
+  EXPECT_EQ(across_m(Sides::kBoth), 0);
+}
+
 TEST_P(BothShoulders, HaveTheActuatorsOfTheRightOneAndThenOfTheLeft) {
   const auto actuators = [](const ParsedXml& model) {
     std::vector<std::string> texts;

@@ -323,11 +323,6 @@ OTHER_FLAWS: Mapping[str, tuple[tuple[str, ...], Edit, set[Caught]]] = {
         partial(scale_config, "kp", [1.0] * 3 + [0.01] * 3 + [1.0] * 3),
         in_joints("tracking settled", ["ST"]) | in_joints("tracking moving", ["ST"]),
     ),
-    "the clavicle's roll not driven": (
-        SCAPULA_LEADS,
-        partial(scale_config, "kp", [1.0, 1.0, 0.0] + [1.0] * 6),
-        in_joints("tracking settled", ["SC"]),
-    ),
 }
 
 
@@ -475,6 +470,16 @@ NO_MODELS: dict[str, tuple[tuple[str, ...], Edit, tuple[str, ...]]] = {
         ("--side", "left"),
         lambda root: remove_element(root, "sensor/plugin"),
         ('has no sensor "rhythm_l"', "girdle generate"),
+    ),
+    "a clavicle whose roll nothing holds": (
+        SCAPULA_LEADS,
+        partial(scale_config, "kp", [1.0, 1.0, 0.0] + [1.0] * 6),
+        ('kp is "0 0 0 1000', "0 is for sc_protraction and sc_elevation alone"),
+    ),
+    "a loop whose clavicle leads and is not held": (
+        LOOP,
+        partial(scale_config, "kp", [0.0] + [1.0] * 8),
+        ('kp is "0 1500 1500', "positive number", "or nine"),
     ),
     "a slide without its name": (
         LOOP,

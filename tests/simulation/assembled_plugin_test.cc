@@ -276,9 +276,12 @@ TEST_P(AssembledPlugin, RepeatsItselfToTheLastBitWhateverWasCommandedBefore) {
   const DataPointer used = MakeData(*model_);
   for (int sample = 0; sample < 30; ++sample) {
     Randomise(random);
-    // The other state comes from elsewhere.
-    ControlOf(*model_, *used, Name("elevation")) = Draw(random, 0, 3);
-    ControlOf(*model_, *used, Name("plane")) = Draw(random, -1, 2);
+    // The other state comes from elsewhere: from a command that differs in one of its parts.
+    constexpr std::array<const char*, 5> kParts = {"elevation", "plane", "axial", "shrug",
+                                                   "protraction"};
+    std::copy_n(data_->ctrl, model_->nu, used->ctrl);
+    ControlOf(*model_, *used, Name(kParts.at(static_cast<std::size_t>(sample) % kParts.size()))) +=
+        0.05;
     mj_step(model_.get(), used.get());
     std::copy_n(data_->ctrl, model_->nu, used->ctrl);
     std::copy_n(data_->qpos, model_->nq, used->qpos);

@@ -145,6 +145,7 @@ TEST_P(FoundShoulders, GiveTheControlSignalOfTheSameModelWithServos) {
   const Variant servos = {"servos", GetParam().assembly, GetParam().lead, Actuation::kPosition};
   const ModelPointer model = servos.Load(Sides::kBoth);
   std::vector<std::string> expected;
+  expected.reserve(static_cast<std::size_t>(model->nactuator));
   for (int actuator = 0; actuator < model->nactuator; ++actuator) {
     expected.emplace_back(model->names + model->name_actuatoradr[actuator]);
   }
