@@ -42,7 +42,8 @@ constexpr std::uint64_t kMostValues = 181;
 VerifyResult VerifyMapped(const VerifyArguments& arguments, TerminalProgress& progress) {
   if (IsAnatomyChosen(arguments.anatomy)) {
     throw InputError(
-        "--anatomy, --thorax and the sizes are for models of Girdle; with --mapping the model's own "
+        "--anatomy, --thorax and the sizes are for models of Girdle; with --mapping the model's "
+        "own "
         "bones are looked at. Leave them away");
   }
   const auto values_deg = [](const SweptAngle& angle, const std::string& given,

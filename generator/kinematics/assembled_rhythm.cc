@@ -27,6 +27,21 @@ double Fading(double past_edge_rad, double width_rad) noexcept {
   return 1 - s * s * s * (10 - s * (15 - 6 * s));
 }
 
+// A coordinate that follows `value` within a table and, past its edges, slows down over a short way
+// and comes to rest, twice continuously differentiable: a spline leads away from its last cell's
+// edge fast. The slope is Fading, this its integral.
+double Slowing(double value, double lowest, double highest) noexcept {
+  constexpr double kWidth_rad = 10 * kRadiansPerDegree;
+  const auto past = [](double distance) {
+    const double s = std::min(distance / kWidth_rad, 1.0);
+    return kWidth_rad * s * (1 - s * s * s * (2.5 - s * (3 - s)));
+  };
+  if (value > highest) {
+    return highest + past(value - highest);
+  }
+  return value < lowest ? lowest - past(lowest - value) : value;
+}
+
 }  // namespace
 
 AssembledRhythm::AssembledRhythm(ShoulderRhythm rhythm, Assembly assembly)
@@ -71,7 +86,9 @@ Vector3 AssembledRhythm::Correction::At(double elevation_rad, double plane_rad) 
   if (weight == 0) {
     return {0, 0, 0};
   }
-  const auto u = surface.At(grid.PlaceOf(elevation_rad, plane_rad));
+  const auto u = surface.At(grid.PlaceOf(
+      Slowing(elevation_rad, measured.lowest_elevation_rad, measured.highest_elevation_rad),
+      Slowing(plane_rad, measured.first_plane_rad, measured.last_plane_rad)));
   return weight * Vector3{u[0], u[1], u[2]};
 }
 

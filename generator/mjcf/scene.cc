@@ -13,9 +13,9 @@
 namespace girdle {
 namespace {
 
-// What the cameras look at, in the world [m]: the middle of all that the arm of the built-in anatomy
-// reaches, hanging, raised and to the side, and the thorax. They look at another person's from as
-// much farther as that arm reaches farther.
+// What the cameras look at, in the world [m]: the middle of all that the arm of the built-in
+// anatomy reaches, hanging, raised and to the side, and the thorax. They look at another person's
+// from as much farther as that arm reaches farther.
 const Vector3 kCenter_m{-0.05, -0.17, 1.4};
 constexpr double kExtent_m = 0.7;
 constexpr double kCameraDistance_m = 1.0;
@@ -75,7 +75,9 @@ std::string SceneXml(const std::string& model_file, const Anatomy& anatomy, Side
   XmlElement root = file.root();
   root.Set("model", "girdle scene");
   root.Add("include").Set("file", model_file);
-  root.Add("statistic").Set("center", Rounded(view.center_m)).Set("extent", Rounded(view.scale * kExtent_m));
+  root.Add("statistic")
+      .Set("center", Rounded(view.center_m))
+      .Set("extent", Rounded(view.scale * kExtent_m));
   XmlElement visual = root.Add("visual");
   visual.Add("headlight")
       .Set("diffuse", std::array{0.5, 0.5, 0.5})

@@ -9,9 +9,9 @@
 
 namespace girdle {
 
-/// Returns `anatomy` with the gliding ellipsoid fitted to its own TS and AI under the built-in rhythm
-/// (FitGlidingEllipsoid), and with ligaments whose slack is their longest length in the positions
-/// of the built-in tables, rounded up to 0.1 mm, as in data/ligaments.csv. Throws
+/// Returns `anatomy` with the gliding ellipsoid fitted to its own TS and AI under the built-in
+/// rhythm (FitGlidingEllipsoid), and with ligaments whose slack is their longest length in the
+/// positions of the built-in tables, rounded up to 0.1 mm, as in data/ligaments.csv. Throws
 /// std::invalid_argument if no ellipsoid of a body's size fits.
 [[nodiscard]] Anatomy FittedToRhythm(Anatomy anatomy);
 

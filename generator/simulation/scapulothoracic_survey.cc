@@ -11,8 +11,8 @@
 #include <nlohmann/json.hpp>
 
 #include "simulation/residual_report.h"
-#include "tables/input_error.h"
 #include "tables/ellipsoid.h"
+#include "tables/input_error.h"
 #include "tables/number_text.h"
 
 namespace girdle {

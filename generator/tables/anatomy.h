@@ -112,8 +112,8 @@ struct Anatomy {
   Ellipsoid ribcage;                                 ///< what is drawn as the thorax
   Ellipsoid gliding;                                 ///< what the scapula glides on
   std::array<Ligament, kLigamentCount> ligaments{};  ///< in the order of LigamentName
-  /// Whether the bones are those of data/, or grown alike: only of these it is known how near TS and
-  /// AI keep to `gliding`.
+  /// Whether the bones are those of data/, or grown alike: only of these it is known how near TS
+  /// and AI keep to `gliding`.
   bool has_adult_proportions = true;
   /// Of IJ above the floor in standing.
   double jugular_notch_height_m = kJugularNotchShare * kAdultStature_m;

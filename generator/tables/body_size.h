@@ -71,8 +71,8 @@ using SegmentScales = std::array<double, kSegmentCount>;
 /// scapula by TS-PAC, the humerus by GH-elbow, the thorax by the way round IJ, C7, T8 and PX.
 [[nodiscard]] SegmentScales ScalesOf(const Anatomy& anatomy, const Anatomy& adult) noexcept;
 
-/// Gives `anatomy` the masses, centres of mass, ellipsoids and ligaments of `adult`, each grown with
-/// its segment; a ligament's lengths with the mean of its two bones.
+/// Gives `anatomy` the masses, centres of mass, ellipsoids and ligaments of `adult`, each grown
+/// with its segment; a ligament's lengths with the mean of its two bones.
 void GrowTissues(const Anatomy& adult, const SegmentScales& scales, Anatomy& anatomy) noexcept;
 
 }  // namespace girdle

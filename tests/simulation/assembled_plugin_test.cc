@@ -19,7 +19,7 @@
 
 #include "kinematics/model_names.h"
 #include "mjcf/joint_dynamics.h"
-#include "simulation/named_elements.h"
+#include "simulation/model_variants.h"
 #include "simulation/plugin_fixture.h"
 #include "tables/input_error.h"
 

@@ -14,7 +14,7 @@
 #include <string>
 
 #include "kinematics/model_names.h"
-#include "simulation/named_elements.h"
+#include "simulation/model_variants.h"
 #include "simulation/plugin_fixture.h"
 
 namespace girdle {

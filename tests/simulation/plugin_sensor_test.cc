@@ -134,8 +134,8 @@ TEST_F(SensorTest, IsLeftAloneWhereSensorsAreDisabled) {
   EXPECT_EQ(SensorValues(), before);
 }
 
-// Of the sensors' derivatives by the controls. Central differences have it wrong in MuJoCo before 4,
-// of native sensors too; one-sided ones and all other derivatives are right in both.
+// Of the sensors' derivatives by the controls. Central differences have it wrong in MuJoCo before
+// 4, of native sensors too; one-sided ones and all other derivatives are right in both.
 constexpr double kSignOfMujoco = mjVERSION_HEADER < 4000000 ? -1 : 1;
 
 TEST_F(SensorTest, DerivativesAreThoseOfWholeStepsForAllControls) {

@@ -529,8 +529,7 @@ TEST_F(EngineTest, PluginForAnotherVersionSaysSoAndHowToMendIt) {
                            std::string(mj_versionString())),
               std::string::npos)
         << message;
-    EXPECT_NE(message.find("Run MuJoCo 9.8.7, or build Girdle with MUJOCO_ROOT"),
-              std::string::npos)
+    EXPECT_NE(message.find("Run MuJoCo 9.8.7, or build Girdle with MUJOCO_ROOT"), std::string::npos)
         << message;
   }
 }

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "simulation/named_elements.h"
+#include "simulation/model_variants.h"
 #include "simulation/plugin_fixture.h"
 #include "simulation/shoulder_simulation.h"
 #include "simulation/trace.h"
