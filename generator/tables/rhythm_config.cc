@@ -60,8 +60,7 @@ RhythmTable ParseTable(const std::string& text, Interpolation interpolation) {
 
 std::array<double, kCoordinateCount> ParseStiffness(const std::string& text) {
   constexpr const char* kExpected =
-      "one positive number of N m/rad, or nine in the order sc, ac, gh (0 for a joint that "
-      "follows)";
+      "one positive number of N m/rad, or nine in the order sc, ac, gh";
   std::vector<double> numbers;
   std::istringstream words(text);
   for (std::string word; words >> word;) {

@@ -39,6 +39,8 @@ KINDS = {
     "actuator/position": "actuator",
     "sensor/plugin": "sensor",
     "equality/connect": "equality",
+    "tendon/spatial": "tendon",
+    "contact/pair": "contact pair",
 }
 
 
@@ -110,6 +112,7 @@ COMMITTED = [
 FURTHER = {
     "offsets and rates": ("tree", "plugin", "--offsets", "--rates"),
     "offsets in a loop": ("loop", "plugin", "--offsets"),
+    "pressed by the thorax": ("tree", "plugin", "--thorax-contact"),
     "the scapula leads": ("loop", "plugin", "--lead scapula"),
     "the scapula leads, position": ("loop", "position", "--lead scapula"),
 }

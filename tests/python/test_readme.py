@@ -79,7 +79,7 @@ def run_shell(block: str, folder: Path, program: Path) -> None:
 
 
 def test_the_readme_makes_every_kind_of_model(checkout: Path, program: Path) -> None:
-    (block,) = (text for text in blocks("sh") if "girdle generate" in text)
+    (block,) = (text for text in blocks("sh") if "--side both" in text)
     run_shell(block, checkout, program)
     models = sorted(path.name for path in (checkout / "my_model").glob("shoulder_*"))
     assert models == ["shoulder_both.xml", "shoulder_left_position.xml", "shoulder_right.xml"]
@@ -136,7 +136,7 @@ def test_the_sizes_of_the_readme_can_be_typed(checkout: Path, program: Path) -> 
     lines = [line for text in blocks("sh") for line in text.splitlines() if line[:7] == "girdle "]
     assert len(lines) > 3
     for line in lines:
-        run(program, *shlex.split(line)[1:], folder=checkout)
+        run(program, *shlex.split(line, comments=True)[1:], folder=checkout)
 
 
 def test_the_report_of_the_readme_has_the_lines_of_the_program(
