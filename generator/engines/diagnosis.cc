@@ -43,7 +43,7 @@ std::string BuildLine(const std::filesystem::path& checkout, const std::filesyst
   const std::string build = Quoted(source / "build" / ("mujoco-" + Text(version)));
   return "cmake -S " + Quoted(source) + " -B " + build +
          " -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=OFF -DMUJOCO_ROOT=" + Quoted(root) +
-         " && cmake --build " + build;
+         " && cmake --build " + build + " --target girdle_plugin";
 }
 
 // What one types to get a plugin for `engine`, or another engine if there cannot be one.

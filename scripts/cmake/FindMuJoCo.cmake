@@ -154,7 +154,7 @@ else()
     if(MuJoCo_VERSION VERSION_EQUAL _mujoco_refused_version)
       string(APPEND _mujoco_reason
              "The installed package is MuJoCo ${MuJoCo_VERSION}, in ${MuJoCo_LIBRARY}: \
-${_mujoco_refused_because} (scripts/setup fetches it; set MUJOCO_ROOT to its folder).")
+${_mujoco_refused_because} (scripts/setup fetches that, set MUJOCO_ROOT to its folder).")
       set(MuJoCo_LIBRARY "")
     endif()
   else()
