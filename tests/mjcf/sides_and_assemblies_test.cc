@@ -660,9 +660,10 @@ TEST(LoopModel, HasNoRangeOfAcToLeave) {
 // --- Scenes --------------------------------------------------------------------------------------
 
 const ParsedXml& Scene(Sides sides) {
-  static const std::array<ParsedXml, 3> kScenes = {ParsedXml(SceneXml("m.xml", BuiltInAnatomy(), Sides::kRight)),
-                                                   ParsedXml(SceneXml("m.xml", BuiltInAnatomy(), Sides::kLeft)),
-                                                   ParsedXml(SceneXml("m.xml", BuiltInAnatomy(), Sides::kBoth))};
+  static const std::array<ParsedXml, 3> kScenes = {
+      ParsedXml(SceneXml("m.xml", BuiltInAnatomy(), Sides::kRight)),
+      ParsedXml(SceneXml("m.xml", BuiltInAnatomy(), Sides::kLeft)),
+      ParsedXml(SceneXml("m.xml", BuiltInAnatomy(), Sides::kBoth))};
   return kScenes.at(static_cast<std::size_t>(sides));
 }
 

@@ -119,6 +119,7 @@ def test_the_readme_shows_every_verb() -> None:
         "verify",
         "destep",
         "thorax",
+        "doctor",
         "compare",
         "continuity",
     }
