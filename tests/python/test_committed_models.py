@@ -11,6 +11,7 @@ import pytest
 
 MODELS = Path(__file__).resolve().parents[2] / "model"
 FAMILIES = {"shoulder_tree": "tree", "shoulder_loop": "loop"}
+SCENES = sorted(MODELS.glob("*/scene*.xml"))
 
 
 @pytest.fixture(scope="module", params=FAMILIES)
@@ -30,6 +31,7 @@ def emitted(request: pytest.FixtureRequest, program: Path, tmp_path_factory) -> 
 
 def test_every_family_is_tested() -> None:
     assert sorted(path.name for path in MODELS.iterdir() if path.is_dir()) == sorted(FAMILIES)
+    assert len(SCENES) == 6 * len(FAMILIES)
 
 
 def test_committed_models_are_regenerated_byte_for_byte(emitted: tuple[Path, Path]) -> None:
@@ -37,3 +39,12 @@ def test_committed_models_are_regenerated_byte_for_byte(emitted: tuple[Path, Pat
     assert {path.name for path in made.iterdir()} == {path.name for path in committed.glob("*.xml")}
     for path in made.iterdir():
         assert path.read_bytes() == (committed / path.name).read_bytes(), path.name
+
+
+@pytest.mark.parametrize("scene", SCENES, ids=lambda path: f"{path.parent.name}/{path.name}")
+def test_a_committed_model_passes_every_line_of_the_report(scene: Path, program: Path) -> None:
+    """With the MuJoCo of this build; the tests run with each that is supported."""
+    finished = subprocess.run(
+        [program, "verify", scene], capture_output=True, text=True, check=False
+    )
+    assert finished.returncode == 0, finished.stdout + finished.stderr

@@ -13,6 +13,8 @@ from pathlib import Path
 import pytest
 from conftest import PROGRAM_TIMEOUT_S, path_from_environment
 
+MODELS = Path(__file__).resolve().parents[2] / "model"
+
 DURATION_S = 10.0
 TIMESTEP_S = 0.002
 
@@ -72,11 +74,14 @@ def test_the_other_build_runs_another_mujoco(
     assert len(versions) == 2, versions
 
 
+@pytest.mark.parametrize("family", ["shoulder_tree", "shoulder_loop"])
+@pytest.mark.parametrize("scene", ["scene.xml", "scene_both.xml", "scene_position.xml"])
 def test_both_versions_of_mujoco_take_the_arm_the_same_way(
-    program: Path, other_program: Path, model_path: Path, tmp_path: Path
+    family: str, scene: str, program: Path, other_program: Path, tmp_path: Path
 ) -> None:
-    here = joint_angles_rad(program, model_path, tmp_path)
-    there = joint_angles_rad(other_program, model_path, tmp_path)
+    model = MODELS / family / scene
+    here = joint_angles_rad(program, model, tmp_path)
+    there = joint_angles_rad(other_program, model, tmp_path)
     assert len(here) == len(there) == round(DURATION_S / TIMESTEP_S) + 1
     for step, (ours, theirs) in enumerate(zip(here, there, strict=True)):
         assert ours == pytest.approx(theirs, rel=0, abs=SAME_RAD), f"step {step}"
