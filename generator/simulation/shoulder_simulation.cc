@@ -59,8 +59,10 @@ class ElementFinder {
     const auto coordinates = DrivenCoordinates(elements.assembly);
     const bool has_plugin = HasInstance(model_);
     if (!has_plugin && Look(mjOBJ_ACTUATOR, kCoordinateNames[2]) < 0) {
-      throw InputError(model_name_ + ": has no instance of the plugin " + kPluginName +
-                       ". Make a model that has one with girdle generate");
+      throw InputError(
+          model_name_ + ": has no instance of the plugin " + kPluginName +
+          ". Make a model that has one with girdle generate; for an arm that is not Girdle's "
+          "there is girdle verify --mapping");
     }
     if (has_plugin) {
       FindCommands(elements);
