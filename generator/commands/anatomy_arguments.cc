@@ -60,17 +60,19 @@ Anatomy AnatomyOf(const std::string& file, const BodySize& size) {
 // The ellipsoids of a file, or one fitted to bones of other proportions.
 void ChooseThorax(const AnatomyArguments& arguments, Anatomy& anatomy) {
   if (!anatomy.has_adult_proportions) {
-    try {
-      anatomy = FittedToRhythm(anatomy);
-    } catch (const std::invalid_argument& error) {
-      throw InputError("this anatomy's scapula does not glide on a thorax: " +
-                       std::string(error.what()) + ". Give one with --thorax FILE");
-    }
+    FitLigaments(anatomy);
   }
   if (!arguments.thorax.empty()) {
     std::ifstream in = OpenTextFile(arguments.thorax);
     ReadThoraxEllipsoids(in, arguments.thorax, anatomy);
     anatomy.has_adult_proportions = false;
+  } else if (!anatomy.has_adult_proportions) {
+    try {
+      FitGliding(anatomy);
+    } catch (const std::invalid_argument& error) {
+      throw InputError("this anatomy's scapula does not glide on a thorax: " +
+                       std::string(error.what()) + ". Give one with --thorax FILE");
+    }
   }
 }
 

@@ -52,6 +52,9 @@ bool FoundNothing(const std::vector<FoundFile>& engines, const std::string& name
 Diagnosis Examine(const DoctorArguments& arguments) {
   const fs::path program_folder = ProgramFolder();
   std::vector<Place> places;
+  if (arguments.only && arguments.engines.empty()) {
+    throw InputError("--only: without --engine there is nothing to look at. Name one");
+  }
   for (const std::string& engine : arguments.engines) {
     if (std::error_code error; !fs::exists(engine, error)) {
       throw InputError("--engine " + engine +

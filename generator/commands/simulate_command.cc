@@ -131,7 +131,7 @@ void Simulate(const SimulateArguments& arguments) {
   TerminalProgress progress("simulating", !prints_table);
   const SimulationSummary summary = simulation.simulate(
       arguments.model, ChosenPlugin(arguments.plugin), request, OverrideFrom(arguments.rhythm),
-      into(trace), into(controls), std::ref(progress));
+      into(trace), controls ? TextSink(into(controls)) : nullptr, std::ref(progress));
   progress.Clear();
   if (trace) {
     trace->Commit();

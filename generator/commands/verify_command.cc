@@ -107,6 +107,8 @@ void AddVerifyCommand(CLI::App& program, int& status) {
       "With --mapping a model that is not Girdle's is held against the measured rhythm: how far "
       "its "
       "clavicle and scapula\nare from the measured ones with the arm where it is.\n"
+      "Its bones are held against the built-in anatomy, or the one that --anatomy, --thorax, "
+      "--stature and so on say:\ngive those that it was generated with.\n"
       "Exit status 1 if a residual is above its tolerance.\n"
       "Examples:\n  girdle verify scene.xml\n"
       "  girdle verify arm.xml --mapping data/mappings/myo_sim.csv");

@@ -92,20 +92,65 @@ Vector3 AssembledRhythm::Correction::At(double elevation_rad, double plane_rad) 
   return weight * Vector3{u[0], u[1], u[2]};
 }
 
+ShoulderPose AssembledRhythm::Corrected(const ArmCommand& command,
+                                        ArmCommand& used) const noexcept {
+  ShoulderPose pose = rhythm_.SolvePose(command, &used);
+  if (correction_) {
+    const Quaternion q_TH = pose.q_TH();
+    pose.q_CS = pose.q_CS * Exp(correction_->At(used.elevation_rad, used.plane_rad));
+    if (rhythm_.options().closure == Closure::kExact) {
+      pose.q_SH = glm::conjugate(pose.q_TS()) * q_TH;
+    }
+  }
+  return pose;
+}
+
+// Whether a loop's angles, but for the humerus's turn about itself, are within their ranges.
+bool AssembledRhythm::IsWithinRanges(const ShoulderPose& pose) const noexcept {
+  const JointAngles angles_rad = DrivenAngles(assembly_, pose);
+  const JointRanges& ranges = rhythm_.ranges();
+  for (std::size_t k = 0; k < kGhAxialIndex; ++k) {
+    // What is bounded by its range ends there but for rounding.
+    constexpr double kRounding_rad = 1e-12;
+    if (angles_rad[k] < ranges[k].lower_rad - kRounding_rad ||
+        angles_rad[k] > ranges[k].upper_rad + kRounding_rad) {
+      return false;
+    }
+  }
+  return true;
+}
+
 ShoulderPose AssembledRhythm::SolvePose(const ArmCommand& command,
                                         ArmCommand* used) const noexcept {
-  if (!correction_) {
+  if (assembly_ == Assembly::kTree) {
     return rhythm_.SolvePose(command, used);
   }
   ArmCommand answered;
-  ShoulderPose pose = rhythm_.SolvePose(command, &answered);
+  ShoulderPose pose = Corrected(command, answered);
+  if ((answered.shrug_rad != 0 || answered.protraction_rad != 0) && !IsWithinRanges(pose)) {
+    // The largest share of the offsets that keeps ST and GH within their ranges, by bisection.
+    ArmCommand less = answered;
+    double share = 0;
+    for (double step = 0.5; step > 1e-9; step /= 2) {
+      less.shrug_rad = (share + step) * answered.shrug_rad;
+      less.protraction_rad = (share + step) * answered.protraction_rad;
+      ArmCommand ignored;
+      share += IsWithinRanges(Corrected(less, ignored)) ? step : 0;
+    }
+    less.shrug_rad = share * answered.shrug_rad;
+    less.protraction_rad = share * answered.protraction_rad;
+    pose = Corrected(less, answered);
+  }
+  // GH's last hinge turns about the humerus itself.
+  const double axial_rad = AnglesFromPose(pose)[kGhAxialIndex];
+  const CoordinateRange& range = rhythm_.ranges()[kGhAxialIndex];
+  const double excess_rad = axial_rad - std::clamp(axial_rad, range.lower_rad, range.upper_rad);
+  if (excess_rad != 0 && answered.axial_rad != 0) {
+    pose.q_SH = pose.q_SH * Exp({0, -excess_rad, 0});
+    answered.axial_rad -= excess_rad;
+  }
   if (used != nullptr) {
     *used = answered;
-  }
-  const Quaternion q_TH = pose.q_TH();
-  pose.q_CS = pose.q_CS * Exp(correction_->At(answered.elevation_rad, answered.plane_rad));
-  if (rhythm_.options().closure == Closure::kExact) {
-    pose.q_SH = glm::conjugate(pose.q_TS()) * q_TH;
   }
   return pose;
 }

@@ -30,7 +30,8 @@ class AssembledRhythm {
   AssembledRhythm(ShoulderRhythm rhythm, Assembly assembly);
 
   /// The pose for a command, as ShoulderRhythm::SolvePose; `used` takes the command that it
-  /// answers.
+  /// answers. In a loop the rhythm's ranges are those of the angles that it drives, ST in the place
+  /// of AC: they bound axial turn and offsets, which keep their ratio.
   [[nodiscard]] ShoulderPose SolvePose(const ArmCommand& command,
                                        ArmCommand* used = nullptr) const noexcept;
 
@@ -42,6 +43,9 @@ class AssembledRhythm {
   [[nodiscard]] Assembly assembly() const noexcept { return assembly_; }
 
  private:
+  [[nodiscard]] ShoulderPose Corrected(const ArmCommand& command, ArmCommand& used) const noexcept;
+  [[nodiscard]] bool IsWithinRanges(const ShoulderPose& pose) const noexcept;
+
   /// u over (elevation, plane), and where the table ends.
   struct Correction {
     SurfaceGrid grid;

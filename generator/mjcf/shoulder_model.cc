@@ -596,7 +596,8 @@ class ShoulderModelWriter {
     }
   }
 
-  // The axial turns that keep GH within its range at every measured position.
+  // The axial turns that keep the table's own GH within its range at every position. Where closure
+  // has turned GH further the rhythm bounds them by the joint's range.
   [[nodiscard]] CoordinateRange AxialRange() const {
     const RhythmTable& table = rhythm_.table();
     double lowest_rad = table.position(0, 0).angles_rad[kGhAxialIndex];

@@ -150,7 +150,7 @@ RhythmController::RhythmController(const mjModel& model, int instance, const Rhy
         "(st_ servos), where they are not known. Remove them");
   }
   try {
-    rhythm_.emplace(ConfiguredRhythm(config, RangesOf(model, assembly)), assembly);
+    rhythm_.emplace(ConfiguredRhythm(config, RangesOf(model)), assembly);
   } catch (const std::invalid_argument& error) {
     throw std::runtime_error("st_ servos: " + std::string(error.what()));
   }
@@ -305,12 +305,9 @@ void RhythmController::FindSensors(const mjModel& model, int instance) {
   }
 }
 
-JointRanges RhythmController::RangesOf(const mjModel& model, Assembly assembly) const noexcept {
+JointRanges RhythmController::RangesOf(const mjModel& model) const noexcept {
   JointRanges ranges = ShoulderRhythm::Unbounded();
   for (std::size_t k = 0; k < kCoordinateCount; ++k) {
-    if (assembly == Assembly::kLoop && k / 3 == 1) {
-      continue;  // those servos turn the scapula in the thorax; AC has no range of its own
-    }
     const int joint = model.dof_jntid[servos_[k].dof_address];
     if (model.jnt_limited[joint] != 0) {
       ranges[k] = {model.jnt_range[2 * joint], model.jnt_range[2 * joint + 1]};

@@ -118,7 +118,7 @@ class RhythmController {
   void CheckStiffness(const RhythmConfig& config) const;
   void FindClavicle(const mjModel& model);
   void FindSensors(const mjModel& model, int instance);
-  [[nodiscard]] JointRanges RangesOf(const mjModel& model, Assembly assembly) const noexcept;
+  [[nodiscard]] JointRanges RangesOf(const mjModel& model) const noexcept;
   void SolveAim(const ArmCommand& command) noexcept;
   [[nodiscard]] ArmCommand ReadCommand(const mjModel& model, const mjData& data) const noexcept;
   /// Valid until the next call.

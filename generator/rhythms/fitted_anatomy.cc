@@ -31,15 +31,18 @@ double RoundedUp_m(double length_m) {
 
 }  // namespace
 
-Anatomy FittedToRhythm(Anatomy anatomy) {
+void FitGliding(Anatomy& anatomy) {
+  anatomy.gliding =
+      FitGlidingEllipsoid(anatomy, BuiltInRhythmTable(BuiltInTable::kDestepped)).ellipsoid;
+}
+
+void FitLigaments(Anatomy& anatomy) {
   const RhythmTable measured = BuiltInRhythmTable(BuiltInTable::kMeasured);
   const RhythmTable destepped = BuiltInRhythmTable(BuiltInTable::kDestepped);
-  anatomy.gliding = FitGlidingEllipsoid(anatomy, destepped).ellipsoid;
   for (Ligament& ligament : anatomy.ligaments) {
     ligament.slack_m = RoundedUp_m(std::max(LongestLength_m(ligament, anatomy, measured),
                                             LongestLength_m(ligament, anatomy, destepped)));
   }
-  return anatomy;
 }
 
 }  // namespace girdle

@@ -9,10 +9,12 @@
 
 namespace girdle {
 
-/// Returns `anatomy` with the gliding ellipsoid fitted to its own TS and AI under the built-in
-/// rhythm (FitGlidingEllipsoid), and with ligaments whose slack is their longest length in the
-/// positions of the built-in tables, rounded up to 0.1 mm, as in data/ligaments.csv. Throws
-/// std::invalid_argument if no ellipsoid of a body's size fits.
-[[nodiscard]] Anatomy FittedToRhythm(Anatomy anatomy);
+/// Gives `anatomy` the gliding ellipsoid fitted to its own TS and AI under the built-in rhythm
+/// (FitGlidingEllipsoid). Throws std::invalid_argument if no ellipsoid of a body's size fits.
+void FitGliding(Anatomy& anatomy);
+
+/// Gives the ligaments of `anatomy` their longest length in the positions of the built-in tables as
+/// slack, rounded up to 0.1 mm, as in data/ligaments.csv.
+void FitLigaments(Anatomy& anatomy);
 
 }  // namespace girdle

@@ -161,7 +161,15 @@ SimulationSummary Simulate(const std::string& model_path, const std::string& plu
   };
   simulation.Start(command_at(0));
   trace(TraceHeader(assembly));
-  controls(ControlsHeader(simulation.TargetNames()));
+  if (controls) {
+    if (simulation.elements().rate_controls.front() >= 0) {
+      throw InputError(model_path +
+                       ": feeds forward how fast its commands change (generate --rates), which "
+                       "controls of position servos cannot. Write --controls from a model made "
+                       "without --rates");
+    }
+    controls(ControlsHeader(simulation.TargetNames()));
+  }
   SimulationSummary summary;
   std::string row;
   for (long step = 0; step <= steps; ++step) {
@@ -174,9 +182,11 @@ SimulationSummary Simulate(const std::string& model_path, const std::string& plu
     row.clear();
     AppendTraceRow(row, state);
     trace(row);
-    row.clear();
-    AppendControlsRow(row, state.time_s, simulation.Targets());
-    controls(row);
+    if (controls) {
+      row.clear();
+      AppendControlsRow(row, state.time_s, simulation.Targets());
+      controls(row);
+    }
     ++summary.rows;
     // The plugin's sensor does not say how much of an offset was left.
     summary.clamped_rows += state.clamped || own.rhythm().Solve(state.command).clamped ? 1 : 0;

@@ -44,6 +44,7 @@ constexpr double kSettledOnThorax_deg = 0.03;
 constexpr double kMovingTracking_deg = 3;
 // A joint that still trembles at rest is held by servos or constraints that fight.
 constexpr double kSpeedAtRest_rad_per_s = 1e-6;
+constexpr double kSpeedAtRest_m_per_s = 1e-7;  // the same at the end of a clavicle
 // Of the published tables themselves (2.03 deg rms over rows 30 to 120, 1.7 to 2.5 each).
 constexpr double kScapulothoracicRms_deg = 2.1;
 constexpr double kScapulothoracicWorst_deg = 2.6;
@@ -61,10 +62,16 @@ constexpr double kStretched_mm = 0.1;
 
 // MuJoCo looks for the nearest point of an ellipsoid until it knows it to 0.001 mm.
 constexpr double kContactSurface_mm = 0.01;
+// How stiff the contact is (joint_dynamics.h), and by how much it may be off where the pose changes
+// what the scapula weighs at TS and AI. Of other masses it is not known.
+constexpr double kContactStiffness_N_per_mm = 20;
+constexpr double kContactStiffnessShare = 0.2;
+// Below this depth force over depth says little.
+constexpr double kDeepContact_m = 0.001;
 
 // Duration of a standard motion and of the rest after it.
 constexpr double kMoving_s = 3;
-constexpr double kSettling_s = 2;
+constexpr double kSettling_s = 4;
 // Share of the rest at its end that counts as settled.
 constexpr double kSettledShare = 0.25;
 // Below this elevation the plane of the arm is ill determined: the table's own misses it by up to
@@ -174,6 +181,9 @@ class ResidualMeter {
       AddLigaments(state, motion.name);
       if (step >= settled_from) {
         speed_at_rest_.Add(state.fastest_rad_per_s, motion.name, state.command);
+        if (is_loop_) {
+          slide_at_rest_.Add(state.fastest_m_per_s, motion.name, state.command);
+        }
       }
       if (step < moving_steps || step >= settled_from) {
         AddConnect(state, motion.name, step < moving_steps ? connect_moving_ : connect_at_rest_);
@@ -349,6 +359,10 @@ class ResidualMeter {
     }
     lines.push_back(
         speed_at_rest_.Worst("tracking settled", "fastest joint", "rad/s", kSpeedAtRest_rad_per_s));
+    if (is_loop_) {
+      lines.push_back(slide_at_rest_.Worst("tracking settled", "scapula's place, fastest", "m/s",
+                                           kSpeedAtRest_m_per_s));
+    }
     for (std::size_t joint = 0; joint < kJointCount; ++joint) {
       lines.push_back(moving_[joint].Worst("tracking moving", std::string(driven[joint]), "deg",
                                            kMovingTracking_deg));
@@ -440,6 +454,11 @@ class ResidualMeter {
     const ShoulderState state = Canonical(simulation_.Observe(command));
     contact_force_N_.Add(state.contact_force_N, "table", command);
     contact_depth_mm_.Add(kMillimetersPerMeter * state.contact_depth_m, "table", command);
+    if (state.contact_depth_m > kDeepContact_m) {
+      const double stiffness_N_per_mm =
+          state.contact_force_N / (kMillimetersPerMeter * state.contact_depth_m);
+      contact_stiffness_.Add(stiffness_N_per_mm - kContactStiffness_N_per_mm, "table", command);
+    }
     double deepest_m = 0;
     for (const Landmark landmark : {Landmark::kTS, Landmark::kAI}) {
       deepest_m = std::max(
@@ -460,6 +479,14 @@ class ResidualMeter {
     }
     const char* const group = "thorax contact";
     lines.push_back(contact_force_N_.Worst(group, "force on TS or AI", "N", std::nullopt));
+    if (!contact_stiffness_.empty()) {
+      const double scapula_kg = anatomy_.segment(Segment::kScapula).mass_kg;
+      const bool is_adult = scapula_kg == BuiltInAnatomy().segment(Segment::kScapula).mass_kg;
+      lines.push_back(contact_stiffness_.Worst(
+          group, "stiffness, off 20 N/mm", "N/mm",
+          is_adult ? std::optional(kContactStiffnessShare * kContactStiffness_N_per_mm)
+                   : std::nullopt));
+    }
     lines.push_back(
         contact_surface_mm_.Worst(group, "depth against the anatomy's", "mm", kContactSurface_mm));
     lines.push_back(
@@ -761,6 +788,7 @@ class ResidualMeter {
   Extreme keyframe_places_;
   JointExtremes settled_;
   Extreme speed_at_rest_;
+  Extreme slide_at_rest_;
   JointExtremes moving_;
   Extreme closure_elevation_own_;
   Extreme closure_plane_own_;
@@ -773,6 +801,7 @@ class ResidualMeter {
   Extreme modelled_gliding_;
   Extreme contact_force_N_;
   Extreme contact_depth_mm_;
+  Extreme contact_stiffness_;
   Extreme contact_surface_mm_;
   JointExtremes pushed_;
   std::array<LigamentExtremes, kLigamentCount> ligaments_;

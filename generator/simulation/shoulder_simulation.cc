@@ -162,14 +162,14 @@ class ElementFinder {
   Side side_;
 };
 
-// Of the hinges of a shoulder. In a loop AC has none of its own.
+// Of the hinges of a shoulder that are driven.
 JointRanges RangesOf(const mjModel& model, const ShoulderElements& elements) {
   JointRanges ranges = ShoulderRhythm::Unbounded();
+  const auto coordinates = DrivenCoordinates(elements.assembly);
   for (std::size_t k = 0; k < kCoordinateCount; ++k) {
-    const bool is_ac = k / 3 == 1;
     const int joint =
-        mj_name2id(&model, mjOBJ_JOINT, SidedName(kCoordinateNames[k], elements.side).c_str());
-    if (!(is_ac && elements.assembly == Assembly::kLoop) && model.jnt_limited[joint] != 0) {
+        mj_name2id(&model, mjOBJ_JOINT, SidedName(coordinates[k], elements.side).c_str());
+    if (model.jnt_limited[joint] != 0) {
       ranges[k] = {model.jnt_range[2 * joint], model.jnt_range[2 * joint + 1]};
     }
   }
@@ -379,7 +379,8 @@ ShoulderState ShoulderSimulation::Derived(double time_s, const ArmCommand& comma
   state.time_s = time_s;
   state.command = command;
   state.position_rad = position_rad;
-  state.fastest_rad_per_s = FastestHinge();
+  state.fastest_rad_per_s = FastestJoint(mjJNT_HINGE);
+  state.fastest_m_per_s = FastestJoint(mjJNT_SLIDE);
   state.target_rad = TargetsOf(elements());
   if (has_plugin()) {
     const mjtNum* sensor = data_->sensordata + elements().sensor;
@@ -408,10 +409,10 @@ ShoulderState ShoulderSimulation::Derived(double time_s, const ArmCommand& comma
   return state;
 }
 
-double ShoulderSimulation::FastestHinge() const {
+double ShoulderSimulation::FastestJoint(mjtJoint type) const {
   double fastest = 0;
   for (int joint = 0; joint < model_->njnt; ++joint) {
-    if (model_->jnt_type[joint] == mjJNT_HINGE) {
+    if (model_->jnt_type[joint] == type) {
       fastest = std::max(fastest, std::abs(data_->qvel[model_->jnt_dofadr[joint]]));
     }
   }
@@ -438,12 +439,37 @@ void ShoulderSimulation::AddLigaments(ShoulderState& state) const {
   }
 }
 
+bool ShoulderSimulation::IsOnThorax(const mjContact& contact) const {
+  return contact.efc_address >= 0 &&
+         (contact.geom[0] == elements().gliding || contact.geom[1] == elements().gliding);
+}
+
+// With which the thorax pushes each degree of freedom: by its contacts, and in a loop by way of the
+// AC joint. A joint that lies at its limit is held by something else.
+std::vector<double> ShoulderSimulation::PushingTorques() const {
+  std::vector<mjtNum> forces(static_cast<std::size_t>(data_->nefc), 0);
+  for (int row = 0; row < data_->nefc; ++row) {
+    if (data_->efc_type[row] == mjCNSTR_EQUALITY && data_->efc_id[row] == elements().connect) {
+      forces[static_cast<std::size_t>(row)] = data_->efc_force[row];
+    }
+  }
+  for (int i = 0; i < data_->ncon; ++i) {
+    if (IsOnThorax(data_->contact[i])) {
+      const int row = data_->contact[i].efc_address;
+      forces[static_cast<std::size_t>(row)] = data_->efc_force[row];
+    }
+  }
+  std::vector<mjtNum> torques(static_cast<std::size_t>(model_->nv), 0);
+  if (data_->nefc > 0) {
+    mj_mulJacTVec(model_.get(), data_.get(), torques.data(), forces.data());
+  }
+  return torques;
+}
+
 void ShoulderSimulation::AddThoraxContact(ShoulderState& state) const {
   for (int i = 0; i < data_->ncon; ++i) {
     const mjContact& contact = data_->contact[i];
-    const bool is_ours =
-        contact.geom[0] == elements().gliding || contact.geom[1] == elements().gliding;
-    if (is_ours && contact.efc_address >= 0) {
+    if (IsOnThorax(contact)) {
       state.contact_force_N =
           std::max(state.contact_force_N, data_->efc_force[contact.efc_address]);
       // The sphere that stands for the landmark touches sooner than its centre.
@@ -452,13 +478,14 @@ void ShoulderSimulation::AddThoraxContact(ShoulderState& state) const {
           std::max(state.contact_depth_m, -contact.dist - model_->geom_size[3 * sphere]);
     }
   }
+  const std::vector<double> torques = PushingTorques();
   const auto coordinates = DrivenCoordinates(elements().assembly);
   for (std::size_t k = 0; k < kCoordinateCount; ++k) {
     if (stiffness_N_m_per_rad_[k] > 0) {
       const int joint =
           mj_name2id(model_.get(), mjOBJ_JOINT, SidedName(coordinates[k], elements().side).c_str());
       state.pushed_rad[k] =
-          data_->qfrc_constraint[model_->jnt_dofadr[joint]] / stiffness_N_m_per_rad_[k];
+          torques[static_cast<std::size_t>(model_->jnt_dofadr[joint])] / stiffness_N_m_per_rad_[k];
     }
   }
 }
@@ -486,12 +513,14 @@ ShoulderState ShoulderSimulation::Step(const ArmCommand& command, const CommandR
   SetCommand(command, rate);
   const double time_s = data_->time;
   const JointAngles position_rad = Positions();
-  const double fastest_rad_per_s = FastestHinge();
+  const double fastest_rad_per_s = FastestJoint(mjJNT_HINGE);
+  const double fastest_m_per_s = FastestJoint(mjJNT_SLIDE);
   // What mj_step derives belongs to the positions before it moves them.
   mj_step(model_.get(), data_.get());
   EngineWatch::ExpectNoWarning(name_ + ": at " + NumberText(time_s) + " s");
   ShoulderState state = Derived(time_s, command, position_rad);
   state.fastest_rad_per_s = fastest_rad_per_s;
+  state.fastest_m_per_s = fastest_m_per_s;
   return state;
 }
 

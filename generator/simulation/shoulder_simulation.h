@@ -62,6 +62,7 @@ struct ShoulderState {
   JointAngles target_rad{};  ///< what the servos aim at, as DrivenCoordinates of the assembly
   JointAngles position_rad{};
   double fastest_rad_per_s = 0;  ///< of all hinges of the model
+  double fastest_m_per_s = 0;    ///< of its slides
   /// The plugin used another command: the nearest within the controls' ranges and the rhythm's.
   bool clamped = false;
   double distance_rad = 0;     ///< of the command's direction from measured ones
@@ -150,11 +151,13 @@ class ShoulderSimulation {
   [[nodiscard]] double ConnectForce() const;
   void AddLigaments(ShoulderState& state) const;
   void AddThoraxContact(ShoulderState& state) const;
+  [[nodiscard]] bool IsOnThorax(const mjContact& contact) const;
+  [[nodiscard]] std::vector<double> PushingTorques() const;
   [[nodiscard]] JointAngles Positions() const;
   /// Everything that MuJoCo derives, with positions as given.
   [[nodiscard]] ShoulderState Derived(double time_s, const ArmCommand& command,
                                       const JointAngles& position_rad) const;
-  [[nodiscard]] double FastestHinge() const;
+  [[nodiscard]] double FastestJoint(mjtJoint type) const;
 
   std::string name_;
   ModelPointer model_;

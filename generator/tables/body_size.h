@@ -40,7 +40,8 @@ inline constexpr std::array<BodyMeasure, 5> kBodyMeasures = {{
      "GH to the middle of the epicondyles"},
     {"body-mass", &BodySize::body_mass_kg, 5, 650, "kg", "71", "Every segment has its share of it"},
     {"stature", &BodySize::stature_m, 0.5, 2.8, "m", "1.71",
-     "Every length has its share of it, but for those that are given"},
+     "Every length has its share of it, but for those that are given; with --anatomy, the height "
+     "above the floor alone"},
 }};
 
 /// Throws std::invalid_argument, with what to type instead, at the first figure out of its bounds.
