@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <glm/gtc/quaternion.hpp>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -44,8 +45,16 @@ double Slowing(double value, double lowest, double highest) noexcept {
 
 }  // namespace
 
-AssembledRhythm::AssembledRhythm(ShoulderRhythm rhythm, Assembly assembly)
-    : rhythm_(std::move(rhythm)), assembly_(assembly) {
+ScapulothoracicRanges AssembledRhythm::Unbounded() noexcept {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  ScapulothoracicRanges ranges;
+  ranges.fill({-kInfinity, kInfinity});
+  return ranges;
+}
+
+AssembledRhythm::AssembledRhythm(ShoulderRhythm rhythm, Assembly assembly,
+                                 const ScapulothoracicRanges& st_ranges)
+    : rhythm_(std::move(rhythm)), assembly_(assembly), st_ranges_(st_ranges) {
   if (assembly == Assembly::kLoop) {
     correction_ = CorrectionOf(rhythm_.table());
   }
@@ -105,15 +114,11 @@ ShoulderPose AssembledRhythm::Corrected(const ArmCommand& command,
   return pose;
 }
 
-// Whether a loop's angles, but for the humerus's turn about itself, are within their ranges.
-bool AssembledRhythm::IsWithinRanges(const ShoulderPose& pose) const noexcept {
-  const JointAngles angles_rad = DrivenAngles(assembly_, pose);
-  const JointRanges& ranges = rhythm_.ranges();
-  for (std::size_t k = 0; k < kGhAxialIndex; ++k) {
-    // What is bounded by its range ends there but for rounding.
-    constexpr double kRounding_rad = 1e-12;
-    if (angles_rad[k] < ranges[k].lower_rad - kRounding_rad ||
-        angles_rad[k] > ranges[k].upper_rad + kRounding_rad) {
+bool AssembledRhythm::KeepsScapulaWithin(const ShoulderPose& pose) const noexcept {
+  const Vector3 st_rad = EulerFromQuaternion(EulerSequence::kYXZ, pose.q_TS());
+  for (int i = 0; i < 3; ++i) {
+    const CoordinateRange& range = st_ranges_[static_cast<std::size_t>(i)];
+    if (st_rad[i] < range.lower_rad || st_rad[i] > range.upper_rad) {
       return false;
     }
   }
@@ -127,15 +132,15 @@ ShoulderPose AssembledRhythm::SolvePose(const ArmCommand& command,
   }
   ArmCommand answered;
   ShoulderPose pose = Corrected(command, answered);
-  if ((answered.shrug_rad != 0 || answered.protraction_rad != 0) && !IsWithinRanges(pose)) {
-    // The largest share of the offsets that keeps ST and GH within their ranges, by bisection.
+  if ((answered.shrug_rad != 0 || answered.protraction_rad != 0) && !KeepsScapulaWithin(pose)) {
+    // The largest share of the offsets that keeps ST within its ranges, by bisection.
     ArmCommand less = answered;
     double share = 0;
     for (double step = 0.5; step > 1e-9; step /= 2) {
       less.shrug_rad = (share + step) * answered.shrug_rad;
       less.protraction_rad = (share + step) * answered.protraction_rad;
       ArmCommand ignored;
-      share += IsWithinRanges(Corrected(less, ignored)) ? step : 0;
+      share += KeepsScapulaWithin(Corrected(less, ignored)) ? step : 0;
     }
     less.shrug_rad = share * answered.shrug_rad;
     less.protraction_rad = share * answered.protraction_rad;

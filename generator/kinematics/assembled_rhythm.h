@@ -14,6 +14,7 @@
 /// before.
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "kinematics/assembly.h"
@@ -22,16 +23,23 @@
 
 namespace girdle {
 
+/// Ranges of the scapula in the thorax, in the order of kScapulothoracicNames.
+using ScapulothoracicRanges = std::array<CoordinateRange, kScapulothoracicNames.size()>;
+
 /// Immutable; evaluation is thread-safe and allocates nothing.
 class AssembledRhythm {
  public:
+  /// Ranges that bound nothing.
+  [[nodiscard]] static ScapulothoracicRanges Unbounded() noexcept;
+
   /// Throws std::invalid_argument if a loop's table has fewer than three planes or elevations. A
   /// table without ST has nothing to correct: u is zero.
-  AssembledRhythm(ShoulderRhythm rhythm, Assembly assembly);
+  AssembledRhythm(ShoulderRhythm rhythm, Assembly assembly,
+                  const ScapulothoracicRanges& st_ranges = Unbounded());
 
   /// The pose for a command, as ShoulderRhythm::SolvePose; `used` takes the command that it
-  /// answers. In a loop the rhythm's ranges are those of the angles that it drives, ST in the place
-  /// of AC: they bound axial turn and offsets, which keep their ratio.
+  /// answers. In a loop the ranges of ST bound offsets, which keep their ratio, and that of GH's
+  /// last hinge the axial turn.
   [[nodiscard]] ShoulderPose SolvePose(const ArmCommand& command,
                                        ArmCommand* used = nullptr) const noexcept;
 
@@ -44,7 +52,7 @@ class AssembledRhythm {
 
  private:
   [[nodiscard]] ShoulderPose Corrected(const ArmCommand& command, ArmCommand& used) const noexcept;
-  [[nodiscard]] bool IsWithinRanges(const ShoulderPose& pose) const noexcept;
+  [[nodiscard]] bool KeepsScapulaWithin(const ShoulderPose& pose) const noexcept;
 
   /// u over (elevation, plane), and where the table ends.
   struct Correction {
@@ -58,6 +66,7 @@ class AssembledRhythm {
 
   ShoulderRhythm rhythm_;
   Assembly assembly_;
+  ScapulothoracicRanges st_ranges_;
   std::optional<Correction> correction_;  ///< in a loop whose table has ST
 };
 

@@ -150,7 +150,9 @@ RhythmController::RhythmController(const mjModel& model, int instance, const Rhy
         "(st_ servos), where they are not known. Remove them");
   }
   try {
-    rhythm_.emplace(ConfiguredRhythm(config, RangesOf(model)), assembly);
+    const JointRanges ranges = RangesOf(model);
+    rhythm_.emplace(ConfiguredRhythm(config, ranges), assembly,
+                    ScapulothoracicRanges{ranges[3], ranges[4], ranges[5]});
   } catch (const std::invalid_argument& error) {
     throw std::runtime_error("st_ servos: " + std::string(error.what()));
   }

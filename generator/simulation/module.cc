@@ -94,7 +94,8 @@ ShoulderRhythm RhythmOf(const ShoulderSimulation& simulation, const RhythmOverri
 
 AssembledRhythm AssembledOf(const ShoulderSimulation& simulation, ShoulderRhythm rhythm) {
   try {
-    return {std::move(rhythm), simulation.elements().assembly};
+    const JointRanges& ranges = simulation.ranges();
+    return {std::move(rhythm), simulation.elements().assembly, {ranges[3], ranges[4], ranges[5]}};
   } catch (const std::invalid_argument& error) {
     throw InputError(simulation.name() + ": " + error.what());
   }
