@@ -163,7 +163,7 @@ SimulationSummary Simulate(const std::string& model_path, const std::string& plu
   simulation.Start(command_at(0));
   trace(TraceHeader(assembly));
   if (controls) {
-    if (simulation.elements().rate_controls.front() >= 0) {
+    if (simulation.has_plugin() && simulation.elements().rate_controls.front() >= 0) {
       throw InputError(model_path +
                        ": feeds forward how fast its commands change (generate --rates), which "
                        "controls of position servos cannot. Write --controls from a model made "

@@ -352,3 +352,17 @@ def test_a_motion_that_the_program_does_not_finish_leaves_no_half_written_contro
         because=("shrug is commanded", "girdle generate --offsets"),
     )
     assert os.listdir(tmp_path).count("c.csv") == 1
+
+
+def test_controls_are_not_written_of_a_model_that_feeds_forward(
+    girdle: Girdle, tmp_path: Path
+) -> None:
+    """Position servos are given angles, not rates: they would not repeat its motion."""
+    assert girdle("generate", "--rates", "--out", tmp_path).code == 0
+    controls = tmp_path / "controls.csv"
+    finished = girdle(
+        "simulate", tmp_path / "scene.xml", "--raise", "0:60", "--controls", controls
+    )
+    assert finished.code == 2
+    assert "without --rates" in finished.message
+    assert not controls.exists()
