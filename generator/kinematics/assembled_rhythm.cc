@@ -136,7 +136,9 @@ ShoulderPose AssembledRhythm::SolvePose(const ArmCommand& command,
     // The largest share of the offsets that keeps ST within its ranges, by bisection.
     ArmCommand less = answered;
     double share = 0;
-    for (double step = 0.5; step > 1e-9; step /= 2) {
+    double step = 0.5;
+    constexpr int kHalvings = 30;  // to 1e-9 of the offsets
+    for (int i = 0; i < kHalvings; ++i, step /= 2) {
       less.shrug_rad = (share + step) * answered.shrug_rad;
       less.protraction_rad = (share + step) * answered.protraction_rad;
       ArmCommand ignored;
