@@ -366,7 +366,7 @@ class ShoulderModelWriter {
 
   // PAC in the thorax frame [m] where the clavicle takes it.
   [[nodiscard]] Vector3 PlaceOfScapula(const ShoulderPose& pose) const {
-    return anatomy_.landmark_m(Landmark::kSC) + pose.q_TC * anatomy_.landmark_m(Landmark::kPAC);
+    return LandmarkInThorax_m(anatomy_, pose, Landmark::kPAC);
   }
 
   // A moving bone, at `p_m` of its parent, hanging there by the three hinges of `joint`; a scapula

@@ -591,7 +591,7 @@ class ResidualMeter {
 
   // PAC in the thorax frame [m] where the clavicle takes it.
   [[nodiscard]] Vector3 PlaceOfScapula(const ShoulderPose& pose) const {
-    return anatomy_.landmark_m(Landmark::kSC) + pose.q_TC * anatomy_.landmark_m(Landmark::kPAC);
+    return LandmarkInThorax_m(anatomy_, pose, Landmark::kPAC);
   }
 
   // A tree's joints hold by construction; a loop's AC is held by the simulator.
