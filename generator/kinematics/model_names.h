@@ -112,6 +112,15 @@ inline constexpr std::array<JointSites, kJointCount> kJointSites = {{
 /// contact pairs.
 inline constexpr std::string_view kGlidingName = "gliding";
 
+/// The skin of models that have one, and stems of its landmarks: `<numeric>` elements
+/// (`skin_acromion_r`) that hold numbers of vertices, several where their mean is meant.
+inline constexpr std::string_view kSkinName = "skin";
+inline constexpr std::size_t kSkinLandmarkCount = 5;
+inline constexpr std::string_view kSkinAcName = "skin_ac";
+inline constexpr std::string_view kSkinAcromionName = "skin_acromion";
+inline constexpr std::array<std::string_view, kSkinLandmarkCount> kSkinLandmarkNames = {
+    kSkinAcName, kSkinAcromionName, "skin_mid_clavicle", "skin_scapular_spine", "skin_deltoid"};
+
 /// Keyframes of emitted models. `rest` is the lowest position of the frontal plane, where a model
 /// with all controls at zero stands; `relaxed` is relaxed standing, held by trims.
 struct NamedPose {

@@ -8,21 +8,14 @@
 /// with the bone. The same anatomy always gives the same mesh.
 ///
 /// All vertices are metres in the frame of the bone's own segment (ISB; x anterior, y up, z right).
+/// Each is a closed surface, or several that may reach into each other: every edge of a piece is
+/// shared by exactly two triangles.
 #pragma once
 
-#include <array>
-#include <vector>
-
 #include "tables/anatomy.h"
+#include "tables/triangle_mesh.h"
 
 namespace girdle {
-
-/// Closed surface, or several that may reach into each other: every edge of a piece is shared by
-/// exactly two triangles, whose corners run counter-clockwise seen from outside.
-struct TriangleMesh {
-  std::vector<Vector3> vertices_m;
-  std::vector<std::array<int, 3>> triangles;
-};
 
 /// Returns the scapula in the scapula frame (origin PAC, z from TS to PAC): the blade through TS
 /// and AI, the spine from TS over AA and the acromion to the AC joint, the coracoid process to PC,

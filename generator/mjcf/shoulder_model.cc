@@ -67,6 +67,8 @@ double RoundedToStep(double length_m) {
   return std::round(length_m * kLengthStepsPerMeter) / kLengthStepsPerMeter;
 }
 
+constexpr std::array<double, 4> kSkinColor = {0.87, 0.68, 0.56, 1};
+
 // What glides on the thorax.
 constexpr std::array<Landmark, 2> kGliding = {Landmark::kTS, Landmark::kAI};
 
@@ -136,6 +138,9 @@ class ShoulderModelWriter {
     WriteDefaults(root.Add("default"));
     WriteAssets(root.Add("asset"));
     WriteBodies(root.Add("worldbody"));
+    if (options_.skin) {
+      WriteSkin(root.Add("deformable"), root.Add("custom"));
+    }
     if (options_.has_thorax_contact) {
       WriteContacts(root.Add("contact"));
     }
@@ -178,6 +183,9 @@ class ShoulderModelWriter {
     }
     if (options_.assembly == Assembly::kTree && options_.lead != Lead::kClavicle) {
       throw std::invalid_argument("in a tree nothing but the clavicle can lead");
+    }
+    if (options_.skin && options_.skin->landmarks.size() != sides_.size()) {
+      throw std::invalid_argument("a skin needs landmarks of every side of the model");
     }
     if (options_.has_thorax_contact && options_.lead == Lead::kScapula) {
       throw std::invalid_argument("thorax contact needs a clavicle that leads");
@@ -520,6 +528,21 @@ class ShoulderModelWriter {
         body.Add("site")
             .Set("name", SidedName(kLandmarks[i].name, side))
             .Set("pos", OnSide(side, anatomy_.landmarks_m[i]));
+      }
+    }
+  }
+
+  void WriteSkin(XmlElement deformable, XmlElement custom) const {
+    deformable.Add("skin")
+        .Set("name", kSkinName)
+        .Set("file", options_.skin->file)
+        .Set("rgba", kSkinColor);
+    for (std::size_t i = 0; i < sides_.size(); ++i) {
+      for (std::size_t k = 0; k < kSkinLandmarkCount; ++k) {
+        const std::vector<int>& vertices = options_.skin->landmarks[i][k];
+        custom.Add("numeric")
+            .Set("name", SidedName(kSkinLandmarkNames[k], sides_[i]))
+            .Set("data", std::vector<double>(vertices.begin(), vertices.end()));
       }
     }
   }

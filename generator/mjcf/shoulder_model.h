@@ -39,6 +39,13 @@ inline constexpr std::array<std::string_view, 3> kSidesNames = {"right", "left",
 /// The sides in the order in which a model has them.
 [[nodiscard]] std::vector<Side> SidesOf(Sides sides);
 
+/// A skin in a file beside the model.
+struct SkinElement {
+  std::string file;  ///< name of an .skn file
+  /// Vertices of each landmark of kSkinLandmarkNames, for each side of the model.
+  std::vector<std::array<std::vector<int>, kSkinLandmarkCount>> landmarks;
+};
+
 struct ShoulderModelOptions {
   Sides sides = Sides::kRight;
   Assembly assembly = Assembly::kTree;
@@ -54,6 +61,7 @@ struct ShoulderModelOptions {
   /// With a soft force that keeps TS and AI from sinking into the anatomy's gliding ellipsoid; for
   /// Lead::kClavicle.
   bool has_thorax_contact = false;
+  std::optional<SkinElement> skin = std::nullopt;
 };
 
 /// Returns from which length [m] on a ligament pulls in a model: the anatomy's slack, or the

@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "skin/bound_skin.h"
+
+#include <cmath>
+#include <glm/gtc/quaternion.hpp>
+#include <stdexcept>
+
+namespace girdle {
+namespace {
+
+double RoundedTo(int decimals, double value) {
+  const double steps = std::pow(10.0, decimals);
+  return std::round(value * steps) / steps;
+}
+
+// Moves with a bone: v -> R v + t.
+struct Motion {
+  Matrix3 R;
+  Vector3 t;
+};
+
+Motion MotionOf(const BoneFrame& bind, const BoneFrame& now) {
+  const Matrix3 R = glm::mat3_cast(now.q_TB * glm::conjugate(bind.q_TB));
+  return {R, now.p_TB_m - R * bind.p_TB_m};
+}
+
+void CheckFrames(const BoundSkin& skin, const std::vector<BoneFrame>& frames) {
+  if (frames.size() != skin.bones.size()) {
+    throw std::invalid_argument("a skin of " + std::to_string(skin.bones.size()) +
+                                " bones needs as many frames, not " +
+                                std::to_string(frames.size()));
+  }
+}
+
+}  // namespace
+
+BoundSkin Bind(const PosedBody& body, const std::vector<SkinBone>& bones,
+               const SkinWeights& weights) {
+  BoundSkin skin{body.surface, {}};
+  for (Vector3& vertex : skin.surface.vertices_m) {
+    for (int i = 0; i < 3; ++i) {
+      vertex[i] = RoundedTo(kSkinDecimals, vertex[i]);
+    }
+  }
+  for (const SkinBone& bone : bones) {
+    skin.bones.push_back({bone.name(), FrameInThorax(body.anatomy, body.pose, bone), {}});
+  }
+  for (std::size_t i = 0; i < skin.surface.vertices_m.size(); ++i) {
+    // What rounding takes or gives goes to the largest share.
+    std::size_t largest = 0;
+    double others = 0;
+    std::vector<double> rounded(bones.size());
+    for (std::size_t k = 0; k < bones.size(); ++k) {
+      rounded[k] = RoundedTo(kWeightDecimals, weights[k][i]);
+      others += rounded[k];
+      if (weights[k][i] > weights[largest][i]) {
+        largest = k;
+      }
+    }
+    others -= rounded[largest];
+    rounded[largest] = RoundedTo(kWeightDecimals, 1 - others);
+    for (std::size_t k = 0; k < bones.size(); ++k) {
+      if (rounded[k] > 0) {
+        skin.bones[k].weights.push_back({static_cast<int>(i), rounded[k]});
+      }
+    }
+  }
+  return skin;
+}
+
+std::vector<Vector3> BlendedVertices_m(const BoundSkin& skin,
+                                       const std::vector<BoneFrame>& frames) {
+  CheckFrames(skin, frames);
+  std::vector<Vector3> blended_m(skin.surface.vertices_m.size(), Vector3{0, 0, 0});
+  for (std::size_t k = 0; k < skin.bones.size(); ++k) {
+    const Motion motion = MotionOf(skin.bones[k].bind, frames[k]);
+    for (const VertexWeight& share : skin.bones[k].weights) {
+      const auto i = static_cast<std::size_t>(share.vertex);
+      blended_m[i] += share.weight * (motion.R * skin.surface.vertices_m[i] + motion.t);
+    }
+  }
+  return blended_m;
+}
+
+std::vector<Vector3> BlendedVertices_m(const BoundSkin& skin, const std::vector<BoneFrame>& frames,
+                                       const std::vector<int>& vertices) {
+  CheckFrames(skin, frames);
+  std::vector<Vector3> blended_m(vertices.size(), Vector3{0, 0, 0});
+  for (std::size_t k = 0; k < skin.bones.size(); ++k) {
+    const Motion motion = MotionOf(skin.bones[k].bind, frames[k]);
+    for (const VertexWeight& share : skin.bones[k].weights) {
+      for (std::size_t i = 0; i < vertices.size(); ++i) {
+        if (vertices[i] == share.vertex) {
+          const Vector3& v = skin.surface.vertices_m[static_cast<std::size_t>(share.vertex)];
+          blended_m[i] += share.weight * (motion.R * v + motion.t);
+        }
+      }
+    }
+  }
+  return blended_m;
+}
+
+}  // namespace girdle

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+/// A surface of triangles.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "kinematics/rotation.h"
+
+namespace girdle {
+
+/// Corners of a triangle, counted from 0; counter-clockwise seen from outside.
+using Triangle = std::array<int, 3>;
+
+/// Vertices are metres in a frame that whoever makes the mesh names.
+struct TriangleMesh {
+  std::vector<Vector3> vertices_m;
+  std::vector<Triangle> triangles;
+};
+
+}  // namespace girdle
