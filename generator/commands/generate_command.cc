@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -15,6 +16,7 @@
 #include "commands/output_file.h"
 #include "commands/rhythm_arguments.h"
 #include "commands/simulation_module.h"
+#include "commands/skin_argument.h"
 #include "commands/word_argument.h"
 #include "mjcf/scene.h"
 #include "mjcf/shoulder_model.h"
@@ -31,6 +33,7 @@ struct GenerateArguments {
   std::string lead;
   std::string actuation;
   AnatomyArguments anatomy;
+  SkinArgument skin;
   std::string out;
   bool offsets = false;
   bool rates = false;
@@ -86,29 +89,43 @@ std::string ModelXml(const GenerateArguments& arguments, const Anatomy& anatomy,
   }
 }
 
-// Names of model and scene: variants of one family have a place beside each other in a folder.
-std::pair<std::string, std::string> FileNames(const ShoulderModelOptions& options) {
+// Variants of one family have a place beside each other in a folder.
+struct FileNames {
+  std::string model;
+  std::string scene;
+  std::string skin;
+};
+FileNames NamesFor(const ShoulderModelOptions& options) {
   const std::string side(kSidesNames[static_cast<std::size_t>(options.sides)]);
   const std::string servos = options.actuation == Actuation::kPosition ? "_position" : "";
   return {"shoulder_" + side + servos + ".xml",
-          "scene" + (options.sides == Sides::kRight ? "" : "_" + side) + servos + ".xml"};
+          "scene" + (options.sides == Sides::kRight ? "" : "_" + side) + servos + ".xml",
+          "skin_" + side + ".skn"};
 }
 
 void Generate(const GenerateArguments& arguments) {
-  const ShoulderModelOptions options = ModelOptions(arguments);
-  const auto [model_file, scene_file] = FileNames(options);
+  ShoulderModelOptions options = ModelOptions(arguments);
+  const FileNames names = NamesFor(options);
   const Anatomy anatomy = ChosenAnatomy(arguments.anatomy);
-  const std::vector<std::pair<std::string, std::string>> files = {
-      {scene_file, SceneXml(model_file, anatomy, options.sides)},
-      {model_file, ModelXml(arguments, anatomy, options)}};
+  const std::optional<MadeSkin> skin =
+      ChosenSkin(arguments.skin, anatomy, SidesOf(options.sides), names.skin);
+  if (skin) {
+    options.skin = skin->element;
+  }
+  std::vector<std::pair<std::string, std::string>> files = {
+      {names.scene, SceneXml(names.model, anatomy, options.sides)},
+      {names.model, ModelXml(arguments, anatomy, options)}};
+  if (skin) {
+    files.emplace_back(names.skin, skin->bytes);
+  }
   // What MuJoCo does not accept is not a model and is not written.
   const std::string checked =
       HasSimulation() ? LoadSimulation().check_model(files, ChosenPlugin(arguments.plugin))
                       : "not loaded: this program was built without MuJoCo";
   const std::filesystem::path folder(arguments.out);
   WriteFiles(folder, files);
-  const std::string model = (folder / model_file).string();
-  const std::string scene = (folder / scene_file).string();
+  const std::string model = (folder / names.model).string();
+  const std::string scene = (folder / names.scene).string();
   if (arguments.json) {
     nlohmann::ordered_json json;
     json["model"] = model;
@@ -143,6 +160,7 @@ void AddGenerateCommand(CLI::App& program) {
       ->type_name("WORD");
   AddRhythmArguments(*verb, arguments->rhythm);
   AddAnatomyArguments(*verb, arguments->anatomy);
+  AddSkinArgument(*verb, arguments->skin);
   verb->add_flag("--offsets", arguments->offsets,
                  "With commands for shrug and protraction on top of the rhythm");
   verb->add_flag("--rates", arguments->rates,
