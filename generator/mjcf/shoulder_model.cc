@@ -67,7 +67,7 @@ double RoundedToStep(double length_m) {
   return std::round(length_m * kLengthStepsPerMeter) / kLengthStepsPerMeter;
 }
 
-constexpr std::array<double, 4> kSkinColor = {0.87, 0.68, 0.56, 1};
+constexpr std::array<double, 4> kSkinColor = {0.82, 0.71, 0.62, 1};
 
 // What glides on the thorax.
 constexpr std::array<Landmark, 2> kGliding = {Landmark::kTS, Landmark::kAI};

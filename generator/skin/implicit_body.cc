@@ -37,49 +37,59 @@ constexpr Segment kH = Segment::kHumerus;
 // Drawn after textbook figures of a lean adult; both sides have them.
 constexpr Muscle kMuscles[] = {
     // Sternocleidomastoid.
-    {{kT, {-4, 8, 17}, 7}, {kT, {-62, 118, 50}, 13}},
+    {{kT, {-8, 8, 16}, 6}, {kT, {-72, 128, 44}, 13}},
     // Trapezius: the neck's slope in two strands, then its middle and lower parts.
-    {{kT, {-82, 112, 28}, 24}, {kC, {-8, 6, 112}, 12}},
-    {{kT, {-104, 88, 20}, 26}, {kS, {-8, -6, -12}, 11}},
-    {{kT, {-112, 52, 14}, 22}, {kS, {-22, -12, -50}, 12}},
-    {{kT, {-138, -10, 16}, 14}, {kS, {-12, -6, -110}, 12}},
-    {{kT, {-148, -130, 12}, 8}, {kS, {-8, -6, -124}, 11}},
+    {{kT, {-84, 88, 34}, 20}, {kC, {-8, 2, 120}, 12}},
+    {{kT, {-98, 84, 26}, 26}, {kS, {-8, -10, -14}, 11}},
+    {{kT, {-106, 52, 22}, 25}, {kS, {-20, -16, -46}, 12}},
+    {{kT, {-128, 8, 24}, 24}, {kS, {-10, -10, -100}, 15}},
+    {{kT, {-136, -110, 20}, 18}, {kS, {-4, -20, -118}, 16}},
     // Erector spinae.
-    {{kT, {-128, 40, 22}, 18}, {kT, {-140, -150, 30}, 19}},
-    {{kT, {-140, -150, 30}, 19}, {kT, {-126, -420, 36}, 24}},
-    // Infraspinatus, teres and the subscapular wall.
-    {{kS, {-12, -40, -100}, 15}, {kS, {-10, -40, -40}, 18}},
-    {{kS, {-8, -95, -128}, 14}, {kH, {-6, -50, 4}, 15}},
-    // Latissimus.
-    {{kT, {-112, -240, 88}, 26}, {kH, {4, -62, -8}, 13}},
-    {{kT, {-92, -150, 112}, 24}, {kH, {4, -62, -8}, 15}},
+    {{kT, {-124, 40, 22}, 20}, {kT, {-132, -150, 32}, 26}},
+    {{kT, {-132, -150, 32}, 26}, {kT, {-118, -420, 40}, 30}},
+    // Where the trapezius leaves the scapula and the latissimus goes over its angle.
+    {{kT, {-132, -120, 28}, 22}, {kS, {0, -112, -128}, 18}},
+    {{kT, {-124, -200, 40}, 26}, {kS, {2, -124, -120}, 18}},
+    {{kS, {2, -118, -122}, 19}, {kH, {0, -58, -6}, 14}},
+    // Infraspinatus and teres.
+    {{kS, {-8, -42, -104}, 20}, {kS, {-8, -40, -40}, 20}},
+    {{kS, {-2, -92, -122}, 18}, {kS, {-4, -60, -60}, 20}},
+    {{kS, {-4, -92, -118}, 17}, {kH, {-6, -50, 4}, 16}},
+    // Latissimus and the wall of the chest under the axilla.
+    {{kT, {-104, -300, 84}, 34}, {kT, {-104, -170, 108}, 34}},
+    {{kT, {-104, -170, 108}, 34}, {kH, {2, -58, -8}, 15}},
+    {{kT, {-84, -110, 96}, 32}, {kH, {4, -50, -10}, 18}},
     // Pectoralis: three strands from the sternum, and from the clavicle.
-    {{kT, {8, -24, 22}, 13}, {kH, {14, -72, 0}, 14}},
-    {{kT, {16, -58, 26}, 15}, {kT, {-6, -50, 104}, 20}},
-    {{kT, {-6, -50, 104}, 20}, {kH, {14, -78, -2}, 15}},
-    {{kT, {20, -96, 30}, 15}, {kT, {6, -88, 92}, 19}},
-    {{kT, {6, -88, 92}, 19}, {kH, {12, -84, -6}, 14}},
-    {{kC, {6, -8, 50}, 12}, {kH, {16, -70, 2}, 14}},
+    {{kT, {4, -22, 24}, 14}, {kH, {14, -72, 0}, 15}},
+    {{kT, {12, -58, 32}, 18}, {kT, {-10, -54, 104}, 22}},
+    {{kT, {-10, -54, 104}, 22}, {kH, {14, -80, -2}, 15}},
+    {{kT, {18, -98, 36}, 17}, {kT, {4, -98, 84}, 21}},
+    {{kT, {4, -98, 84}, 21}, {kH, {12, -84, -6}, 14}},
+    {{kC, {4, -10, 44}, 12}, {kH, {16, -70, 2}, 15}},
+    // The clavicle's forward bow.
+    {{kC, {4, 0, 6}, 11}, {kC, {13, 0, 45}, 11}},
+    {{kC, {13, 0, 45}, 11}, {kC, {2, 0, 105}, 12}},
     // Rectus abdominis.
-    {{kT, {22, -150, 28}, 12}, {kT, {16, -420, 30}, 18}},
+    {{kT, {10, -160, 34}, 18}, {kT, {4, -300, 36}, 22}},
+    {{kT, {4, -300, 36}, 22}, {kT, {2, -440, 36}, 24}},
     // Deltoid: before, beside and behind.
-    {{kC, {6, -2, 118}, 12}, {kH, {20, -48, 6}, 20}},
-    {{kH, {20, -48, 6}, 20}, {kH, {13, -128, 10}, 17}},
-    {{kS, {-4, -14, 15}, 13}, {kH, {16, -40, 20}, 19}},
-    {{kH, {16, -40, 20}, 19}, {kH, {12, -132, 12}, 16}},
-    {{kS, {-30, -19, -16}, 13}, {kH, {-4, -46, 22}, 19}},
-    {{kS, {-20, -12, -66}, 12}, {kH, {-12, -52, 12}, 18}},
-    {{kH, {-4, -46, 22}, 19}, {kH, {8, -130, 14}, 15}},
+    {{kC, {4, -4, 116}, 13}, {kH, {20, -46, 4}, 21}},
+    {{kH, {20, -46, 4}, 21}, {kH, {13, -128, 10}, 17}},
+    {{kS, {-4, -16, 14}, 14}, {kH, {16, -38, 20}, 20}},
+    {{kH, {16, -38, 20}, 20}, {kH, {12, -132, 12}, 17}},
+    {{kS, {-28, -20, -16}, 14}, {kH, {-4, -44, 22}, 20}},
+    {{kS, {-18, -14, -62}, 13}, {kH, {-12, -52, 12}, 18}},
+    {{kH, {-4, -44, 22}, 20}, {kH, {8, -130, 14}, 16}},
     // Biceps and triceps.
-    {{kH, {13, -110, -4}, 24}, {kH, {13, -190, -2}, 25}},
-    {{kH, {13, -190, -2}, 25}, {kH, {8, -262, 0}, 20}},
-    {{kH, {-12, -80, 2}, 26}, {kH, {-15, -170, 2}, 26}},
-    {{kH, {-15, -170, 2}, 26}, {kH, {-8, -268, 0}, 22}},
+    {{kH, {12, -105, -4}, 25}, {kH, {13, -185, -2}, 27}},
+    {{kH, {13, -185, -2}, 27}, {kH, {6, -285, 0}, 24}},
+    {{kH, {-12, -80, 2}, 27}, {kH, {-14, -170, 2}, 27}},
+    {{kH, {-14, -170, 2}, 27}, {kH, {-6, -285, 0}, 25}},
     // Forearm.
-    {{kH, {6, -292, 12}, 28}, {kH, {8, -345, 12}, 27}},
-    {{kH, {4, -292, -12}, 27}, {kH, {4, -345, -10}, 27}},
-    {{kH, {8, -345, 12}, 27}, {kH, {2, -515, 12}, 15}},
-    {{kH, {4, -345, -10}, 27}, {kH, {2, -515, -12}, 15}},
+    {{kH, {4, -270, 12}, 22}, {kH, {5, -345, 12}, 25}},
+    {{kH, {2, -270, -12}, 22}, {kH, {2, -345, -12}, 24}},
+    {{kH, {5, -345, 12}, 25}, {kH, {2, -515, 12}, 15}},
+    {{kH, {2, -345, -12}, 24}, {kH, {2, -515, -12}, 15}},
     // Palm, fingers and thumb.
     {{kH, {2, -540, 14}, 14}, {kH, {2, -592, 26}, 13}},
     {{kH, {2, -540, -14}, 14}, {kH, {2, -592, -26}, 12}},
@@ -97,27 +107,28 @@ struct Mass {
   Vector3 radii_mm;
 };
 constexpr Mass kTrunk[] = {
-    {{-62, -140, 0}, {93, 200, 140}},  // rib cage
-    {{-58, -370, 0}, {80, 190, 124}},  // belly
-    {{-62, -20, 0}, {62, 60, 92}},     // between the shoulders
+    {{-61, -146, 0}, {98, 210, 155}},  // rib cage
+    {{-58, -400, 0}, {86, 210, 142}},  // belly
+    {{-64, -20, 0}, {64, 64, 92}},     // between the shoulders
 };
 struct Neck {
   Vector3 place_mm;
   double radius_mm;
 };
-constexpr Neck kThroat = {{-74, 10, 0}, 50};
-constexpr Neck kJaw = {{-52, 130, 0}, 50};
-constexpr double kNeckCut_mm = 112;
+constexpr Neck kThroat = {{-76, 10, 0}, 54};
+constexpr Neck kJaw = {{-56, 150, 0}, 51};
+constexpr double kNeckCut_mm = 146;
 constexpr double kWaistCut_mm = -390;
 
 // Skin over bone that lies right under it [mm].
 constexpr double kCover_mm = 9;
 constexpr double kBladeCover_mm = 12;
+constexpr double kElbowCover_mm = 6;
 constexpr double kHead_mm = 33;
-constexpr double kShaft_mm = 32;
+constexpr double kShaft_mm = 29;
 
 // Muscles and trunk run into each other over this much.
-constexpr double kBlend_mm = 9;
+constexpr double kBlend_mm = 11;
 constexpr double kEdge_mm = 4;
 // Around all solids [m].
 constexpr double kMargin_m = 0.03;
@@ -223,8 +234,8 @@ class BodyBuilder {
     const Vector3 elbow_m =
         OnSideInThorax_m(body_.anatomy, body_.pose, side, kH, body_.anatomy.elbow_m());
     Add(Landmark_m(Landmark::kGH, side), kHead_mm * mm, elbow_m, kShaft_mm * mm);
-    Add(Landmark_m(Landmark::kEM, side), kCover_mm * mm, Landmark_m(Landmark::kEL, side),
-        kCover_mm * mm);
+    Add(Landmark_m(Landmark::kEM, side), kElbowCover_mm * mm, Landmark_m(Landmark::kEL, side),
+        kElbowCover_mm * mm);
   }
 
   const PosedBody& body_;
