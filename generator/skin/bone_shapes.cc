@@ -18,9 +18,10 @@ namespace {
 constexpr double kHumeralHead_m = 0.022;
 constexpr double kShaft_m = 0.012;
 constexpr double kNeck_m = 0.030;
+constexpr double kClavicle_m = 0.006;
 // The skin lies nearer to the ribs than to the girdle only where the girdle is not: the rib cage is
 // taken this much narrower than it is drawn.
-constexpr double kRibcageShare = 0.86;
+constexpr double kRibcageShare = 0.96;
 
 Vector3 Middle(const Vector3& a, const Vector3& b) { return (a + b) / 2.0; }
 
@@ -50,7 +51,9 @@ class ShapeMaker {
   }
 
   [[nodiscard]] BoneShape Clavicle(Side side) const {
-    return {{{At(Landmark::kSC, side), At(Landmark::kACJ, side), 0}}, {}};
+    return {{{At(Landmark::kSC, side), At(Landmark::kACJ, side),
+              kClavicle_m * Scale(Segment::kClavicle)}},
+            {}};
   }
 
   [[nodiscard]] BoneShape Scapula(Side side) const {
@@ -65,7 +68,8 @@ class ShapeMaker {
              {tip, angle, 0},
              {angle, root, 0},
              {root, inferior, 0},
-             {inferior, neck, 0}},
+             {inferior, neck, 0},
+             {At(Landmark::kGC, side), At(Landmark::kPC, side), 0}},
             {}};
   }
 

@@ -23,7 +23,8 @@ struct BoneShape {
 };
 
 /// Returns the shapes of bones, in their order. Thorax: a rib cage, the neck, the spine and the
-/// sternum; clavicle: SC to AC; scapula: its spine, acromion, medial border and neck; humerus: the
+/// sternum; clavicle: SC to AC; scapula: its
+/// spine, acromion, medial border, neck and coracoid process; humerus: the
 /// head and the shaft to the elbow. A side without a shoulder of its own in `bones` belongs to the
 /// thorax, with all its bones as they stand.
 [[nodiscard]] std::vector<BoneShape> BoneShapesOf(const PosedBody& body,

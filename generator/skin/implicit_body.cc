@@ -67,8 +67,8 @@ constexpr Muscle kMuscles[] = {
     {{kT, {4, -98, 84}, 21}, {kH, {12, -84, -6}, 14}},
     {{kC, {4, -10, 44}, 12}, {kH, {16, -70, 2}, 15}},
     // The clavicle's forward bow.
-    {{kC, {4, 0, 6}, 11}, {kC, {13, 0, 45}, 11}},
-    {{kC, {13, 0, 45}, 11}, {kC, {2, 0, 105}, 12}},
+    {{kC, {6, 0, 4}, 12}, {kC, {15, 0, 45}, 14}},
+    {{kC, {15, 0, 45}, 14}, {kC, {5, 0, 105}, 13}},
     // Rectus abdominis.
     {{kT, {10, -160, 34}, 18}, {kT, {4, -300, 36}, 22}},
     {{kT, {4, -300, 36}, 22}, {kT, {2, -440, 36}, 24}},
@@ -80,25 +80,25 @@ constexpr Muscle kMuscles[] = {
     {{kS, {-28, -20, -16}, 14}, {kH, {-4, -44, 22}, 20}},
     {{kS, {-18, -14, -62}, 13}, {kH, {-12, -52, 12}, 18}},
     {{kH, {-4, -44, 22}, 20}, {kH, {8, -130, 14}, 16}},
-    // Biceps and triceps.
-    {{kH, {12, -105, -4}, 25}, {kH, {13, -185, -2}, 27}},
-    {{kH, {13, -185, -2}, 27}, {kH, {6, -285, 0}, 24}},
-    {{kH, {-12, -80, 2}, 27}, {kH, {-14, -170, 2}, 27}},
-    {{kH, {-14, -170, 2}, 27}, {kH, {-6, -285, 0}, 25}},
+    // Biceps and triceps, about what lies between them.
+    {{kH, {2, -95, 0}, 33}, {kH, {0, -195, 0}, 34}},
+    {{kH, {0, -195, 0}, 34}, {kH, {0, -255, 0}, 27}},
+    {{kH, {12, -105, -4}, 25}, {kH, {13, -185, -2}, 26}},
+    {{kH, {13, -185, -2}, 26}, {kH, {8, -240, 0}, 18}},
+    {{kH, {-12, -80, 2}, 26}, {kH, {-14, -170, 2}, 26}},
+    {{kH, {-14, -170, 2}, 26}, {kH, {-8, -245, 0}, 18}},
     // Forearm.
-    {{kH, {4, -270, 12}, 22}, {kH, {5, -345, 12}, 25}},
-    {{kH, {2, -270, -12}, 22}, {kH, {2, -345, -12}, 24}},
-    {{kH, {5, -345, 12}, 25}, {kH, {2, -515, 12}, 15}},
-    {{kH, {2, -345, -12}, 24}, {kH, {2, -515, -12}, 15}},
+    {{kH, {4, -318, 10}, 27}, {kH, {2, -540, 10}, 13}},
+    {{kH, {2, -318, -10}, 26}, {kH, {2, -540, -10}, 13}},
     // Palm, fingers and thumb.
-    {{kH, {2, -540, 14}, 14}, {kH, {2, -592, 26}, 13}},
-    {{kH, {2, -540, -14}, 14}, {kH, {2, -592, -26}, 12}},
-    {{kH, {2, -545, 0}, 14}, {kH, {2, -595, 0}, 13}},
-    {{kH, {2, -600, 28}, 10}, {kH, {12, -668, 26}, 8}},
-    {{kH, {2, -604, 10}, 10}, {kH, {14, -684, 9}, 8}},
-    {{kH, {2, -602, -9}, 10}, {kH, {14, -678, -9}, 8}},
-    {{kH, {2, -594, -27}, 9}, {kH, {12, -648, -26}, 7}},
-    {{kH, {6, -540, 24}, 12}, {kH, {16, -592, 52}, 9}},
+    {{kH, {2, -560, 0}, 12}, {kH, {2, -602, 22}, 10}},
+    {{kH, {2, -560, 0}, 12}, {kH, {2, -606, 0}, 11}},
+    {{kH, {2, -560, 0}, 12}, {kH, {2, -600, -22}, 9}},
+    {{kH, {2, -610, 25}, 7}, {kH, {10, -680, 22}, 5}},
+    {{kH, {2, -614, 8}, 7}, {kH, {12, -694, 7}, 5}},
+    {{kH, {2, -612, -9}, 7}, {kH, {12, -688, -8}, 5}},
+    {{kH, {2, -606, -25}, 6}, {kH, {10, -662, -22}, 4}},
+    {{kH, {5, -566, 14}, 9}, {kH, {16, -618, 46}, 6}},
 };
 
 // The trunk, in the middle, thorax frame [mm].
@@ -123,9 +123,12 @@ constexpr double kWaistCut_mm = -390;
 // Skin over bone that lies right under it [mm].
 constexpr double kCover_mm = 9;
 constexpr double kBladeCover_mm = 12;
-constexpr double kElbowCover_mm = 6;
+constexpr double kElbowCover_mm = 4;
+// Where the arm begins to narrow towards the epicondyles, humerus frame.
+constexpr double kAboveElbow_mm = -210;
+constexpr double kBesideElbow_mm = 16;
 constexpr double kHead_mm = 33;
-constexpr double kShaft_mm = 29;
+constexpr double kShaft_mm = 27;
 
 // Muscles and trunk run into each other over this much.
 constexpr double kBlend_mm = 11;
@@ -221,6 +224,7 @@ class BodyBuilder {
     link(Landmark::kTS, Landmark::kAA, cover_m);
     link(Landmark::kTS, Landmark::kAI, blade_m);
     link(Landmark::kAI, Landmark::kGC, blade_m);
+    link(Landmark::kGC, Landmark::kPC, blade_m);
     const Vector3 tip_m =
         OnSideInThorax_m(body_.anatomy, body_.pose, side, kS, AcromionTip_m(body_.anatomy));
     Add(Landmark_m(Landmark::kAA, side), cover_m, tip_m, cover_m);
@@ -234,8 +238,12 @@ class BodyBuilder {
     const Vector3 elbow_m =
         OnSideInThorax_m(body_.anatomy, body_.pose, side, kH, body_.anatomy.elbow_m());
     Add(Landmark_m(Landmark::kGH, side), kHead_mm * mm, elbow_m, kShaft_mm * mm);
-    Add(Landmark_m(Landmark::kEM, side), kElbowCover_mm * mm, Landmark_m(Landmark::kEL, side),
-        kElbowCover_mm * mm);
+    for (const auto& [epicondyle, outward_mm] :
+         {std::pair(Landmark::kEM, -kBesideElbow_mm), std::pair(Landmark::kEL, kBesideElbow_mm)}) {
+      const Vector3 knuckle_m = Landmark_m(epicondyle, side);
+      Add(Place_m(kH, {0, kAboveElbow_mm, outward_mm}, side), kBesideElbow_mm * mm, knuckle_m,
+          kElbowCover_mm * mm);
+    }
   }
 
   const PosedBody& body_;

@@ -14,6 +14,8 @@ namespace {
 
 constexpr double kMostPoints = 50e6;
 constexpr int kNoVertex = -1;
+// How deep a corner that was taken in counts as, in cells.
+constexpr double kFilled = 0.01;
 
 using Step = std::array<std::size_t, 3>;
 
@@ -38,6 +40,8 @@ class Grid {
     values_m_.resize(strides_[2] * counts_[2]);
     ForEachPoint(
         [&](std::size_t index, const Step& at) { values_m_[index] = value_m(Place_m(at)); });
+    while (FillAlternatingFaces()) {
+    }
   }
 
   template <typename Visit>
@@ -66,6 +70,35 @@ class Grid {
   }
 
  private:
+  // Where the signs of a face's four corners alternate, the surface would touch itself along an
+  // edge. The outer corner that is nearer to the surface is taken in. Returns whether there was
+  // such a face; each turn takes corners in, so that there is a last one.
+  bool FillAlternatingFaces() {
+    bool has_filled = false;
+    ForEachPoint([&](std::size_t index, const Step& at) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::size_t second = (axis + 1) % 3;
+        if (at[axis] + 1 >= counts_[axis] || at[second] + 1 >= counts_[second]) {
+          continue;
+        }
+        const std::array<std::size_t, 4> corners = {index, index + strides_[axis],
+                                                    index + strides_[axis] + strides_[second],
+                                                    index + strides_[second]};
+        const bool is_inside = IsInside(corners[0]);
+        if (IsInside(corners[2]) != is_inside || IsInside(corners[1]) == is_inside ||
+            IsInside(corners[3]) == is_inside) {
+          continue;
+        }
+        const std::size_t first = is_inside ? 1 : 0;
+        const std::size_t a = corners[first];
+        const std::size_t b = corners[first + 2];
+        values_m_[values_m_[a] <= values_m_[b] ? a : b] = -kFilled * cell_m_;
+        has_filled = true;
+      }
+    });
+    return has_filled;
+  }
+
   Vector3 origin_m_;
   double cell_m_;
   Step counts_{};

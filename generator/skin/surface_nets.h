@@ -20,9 +20,11 @@ struct Box {
 /// cell that the surface crosses, at the mean of the crossings of the cell's edges, then drawn to
 /// the surface; one quadrilateral, cut along its shorter diagonal, across every edge of the grid
 /// whose ends differ in sign. Triangles run counter-clockwise seen from where the value is
-/// positive. No slivers as in marching cubes. Only the part of the surface within the box is found,
-/// up to one cell from its faces. Throws std::invalid_argument for a cell size or a box that make
-/// no grid, or one of more than 50 million points.
+/// positive, and every edge inside the box is shared by exactly two: where the surface would touch
+/// itself along one, a gap narrower than a cell is closed. No slivers as in marching cubes. Only
+/// the part of the surface within the box is found, up to one cell from its faces. Throws
+/// std::invalid_argument for a cell size or a box that make no grid, or one of more than 50 million
+/// points.
 [[nodiscard]] TriangleMesh SurfaceNets(const std::function<double(const Vector3&)>& value_m,
                                        const Box& box, double cell_m);
 
