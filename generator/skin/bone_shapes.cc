@@ -17,8 +17,11 @@ namespace {
 // Of an adult's bones [m]; they grow with them.
 constexpr double kHumeralHead_m = 0.022;
 constexpr double kShaft_m = 0.012;
+// Thicker than the bone: a hundredth of the thorax's share would move the elbow by millimeters.
+constexpr double kLowerArm_m = 0.024;
 constexpr double kNeck_m = 0.030;
 constexpr double kClavicle_m = 0.006;
+constexpr double kBlade_m = 0.008;
 // The skin lies nearer to the ribs than to the girdle only where the girdle is not: the rib cage is
 // taken this much narrower than it is drawn.
 constexpr double kRibcageShare = 0.96;
@@ -64,12 +67,13 @@ class ShapeMaker {
     const Vector3 root = At(Landmark::kTS, side);
     const Vector3 inferior = At(Landmark::kAI, side);
     const Vector3 neck = Middle(inferior, At(Landmark::kGH, side));
+    const double thick = kBlade_m * Scale(Segment::kScapula);
     return {{{joint, tip, 0},
              {tip, angle, 0},
              {angle, root, 0},
-             {root, inferior, 0},
-             {inferior, neck, 0},
-             {At(Landmark::kGC, side), At(Landmark::kPC, side), 0}},
+             {root, inferior, thick},
+             {inferior, neck, thick},
+             {At(Landmark::kGC, side), At(Landmark::kPC, side), 2 * thick}},
             {}};
   }
 
@@ -78,7 +82,11 @@ class ShapeMaker {
     const Vector3 head = At(Landmark::kGH, side);
     const Vector3 elbow = OnSideInThorax_m(body_.anatomy, body_.pose, side, Segment::kHumerus,
                                            body_.anatomy.elbow_m());
-    return {{{head, head, kHumeralHead_m * scale}, {head, elbow, kShaft_m * scale}}, {}};
+    const Vector3 middle = Middle(head, elbow);
+    return {{{head, head, kHumeralHead_m * scale},
+             {head, middle, kShaft_m * scale},
+             {middle, elbow, kLowerArm_m * scale}},
+            {}};
   }
 
  private:

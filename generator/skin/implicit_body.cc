@@ -56,9 +56,10 @@ constexpr Muscle kMuscles[] = {
     {{kS, {-2, -92, -122}, 18}, {kS, {-4, -60, -60}, 20}},
     {{kS, {-4, -92, -118}, 17}, {kH, {-6, -50, 4}, 16}},
     // Latissimus and the wall of the chest under the axilla.
-    {{kT, {-104, -300, 84}, 34}, {kT, {-104, -170, 108}, 34}},
-    {{kT, {-104, -170, 108}, 34}, {kH, {2, -58, -8}, 15}},
-    {{kT, {-84, -110, 96}, 32}, {kH, {4, -50, -10}, 18}},
+    {{kT, {-102, -300, 86}, 34}, {kT, {-98, -160, 116}, 37}},
+    {{kT, {-98, -160, 116}, 37}, {kH, {2, -58, -8}, 15}},
+    {{kT, {-126, -104, 124}, 31}, {kT, {-116, -190, 116}, 32}},
+    {{kT, {-86, -110, 106}, 34}, {kH, {4, -50, -10}, 18}},
     // Pectoralis: three strands from the sternum, and from the clavicle.
     {{kT, {4, -22, 24}, 14}, {kH, {14, -72, 0}, 15}},
     {{kT, {12, -58, 32}, 18}, {kT, {-10, -54, 104}, 22}},
@@ -122,8 +123,11 @@ constexpr double kWaistCut_mm = -390;
 
 // Skin over bone that lies right under it [mm].
 constexpr double kCover_mm = 9;
-constexpr double kBladeCover_mm = 12;
-constexpr double kElbowCover_mm = 4;
+constexpr double kBladeCover_mm = 14;
+constexpr double kCoracoidCover_mm = 27;
+constexpr double kInferiorCover_mm = 20;
+constexpr double kJointCover_mm = 17;
+constexpr double kElbowCover_mm = 7;
 // Where the arm begins to narrow towards the epicondyles, humerus frame.
 constexpr double kAboveElbow_mm = -210;
 constexpr double kBesideElbow_mm = 16;
@@ -220,11 +224,13 @@ class BodyBuilder {
       Add(Landmark_m(from, side), radius_m, Landmark_m(to, side), radius_m);
     };
     link(Landmark::kSC, Landmark::kPAC, kCover_mm * Millimeter_m(kC));
-    link(Landmark::kPAC, Landmark::kACJ, cover_m);
+    link(Landmark::kPAC, Landmark::kPAC, kJointCover_mm * Millimeter_m(kS));
+    link(Landmark::kPAC, Landmark::kACJ, blade_m);
     link(Landmark::kTS, Landmark::kAA, cover_m);
     link(Landmark::kTS, Landmark::kAI, blade_m);
+    link(Landmark::kAI, Landmark::kAI, kInferiorCover_mm * Millimeter_m(kS));
     link(Landmark::kAI, Landmark::kGC, blade_m);
-    link(Landmark::kGC, Landmark::kPC, blade_m);
+    link(Landmark::kGC, Landmark::kPC, kCoracoidCover_mm * Millimeter_m(kS));
     const Vector3 tip_m =
         OnSideInThorax_m(body_.anatomy, body_.pose, side, kS, AcromionTip_m(body_.anatomy));
     Add(Landmark_m(Landmark::kAA, side), cover_m, tip_m, cover_m);
