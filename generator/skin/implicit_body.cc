@@ -120,6 +120,8 @@ constexpr Neck kThroat = {{-76, 10, 0}, 54};
 constexpr Neck kJaw = {{-56, 150, 0}, 51};
 constexpr double kNeckCut_mm = 146;
 constexpr double kWaistCut_mm = -390;
+// Where the arm of a side without one ends, humerus frame.
+constexpr double kArmCut_mm = -105;
 
 // Skin over bone that lies right under it [mm].
 constexpr double kCover_mm = 9;
@@ -168,17 +170,23 @@ class BodyBuilder {
   }
 
   void AddShoulder(Side side, bool has_arm) {
+    SmoothUnion arm;
+    arm.blend_m = solids_.blend_m;
+    arm.rounding_m = solids_.rounding_m;
+    SmoothUnion& arm_solids = has_arm ? solids_ : arm;
     for (const Muscle& muscle : kMuscles) {
-      if (has_arm || (muscle.from.segment != kH && muscle.to.segment != kH)) {
-        Add(Place_m(muscle.from.segment, muscle.from.place_mm, side),
-            muscle.from.radius_mm * Millimeter_m(muscle.from.segment),
-            Place_m(muscle.to.segment, muscle.to.place_mm, side),
-            muscle.to.radius_mm * Millimeter_m(muscle.to.segment));
-      }
+      const bool is_of_arm = muscle.from.segment == kH || muscle.to.segment == kH;
+      Add(Place_m(muscle.from.segment, muscle.from.place_mm, side),
+          muscle.from.radius_mm * Millimeter_m(muscle.from.segment),
+          Place_m(muscle.to.segment, muscle.to.place_mm, side),
+          muscle.to.radius_mm * Millimeter_m(muscle.to.segment), is_of_arm ? arm_solids : solids_);
     }
     CoverGirdle(side);
-    if (has_arm) {
-      CoverArm(side);
+    CoverArm(side, arm_solids);
+    if (!has_arm) {
+      const Vector3 cut_m = Place_m(kH, {0, kArmCut_mm, 0}, side);
+      arm.cuts.push_back({cut_m, glm::normalize(cut_m - Place_m(kH, {0, 0, 0}, side))});
+      solids_.parts.push_back(arm);
     }
   }
 
@@ -188,10 +196,14 @@ class BodyBuilder {
       box.lowest_m = glm::min(box.lowest_m, center_m - radii_m - kMargin_m);
       box.highest_m = glm::max(box.highest_m, center_m + radii_m + kMargin_m);
     };
-    for (const RoundCone& cone : solids_.cones) {
-      include(cone.from_m, Vector3(cone.from_radius_m));
-      include(cone.to_m, Vector3(cone.to_radius_m));
-    }
+    const auto include_cones = [&include](const SmoothUnion& solids) {
+      for (const RoundCone& cone : solids.cones) {
+        include(cone.from_m, Vector3(cone.from_radius_m));
+        include(cone.to_m, Vector3(cone.to_radius_m));
+      }
+    };
+    include_cones(solids_);
+    std::for_each(solids_.parts.begin(), solids_.parts.end(), include_cones);
     for (const TurnedEllipsoid& ellipsoid : solids_.ellipsoids) {
       include(ellipsoid.center_m, ellipsoid.radii_m);
     }
@@ -213,7 +225,11 @@ class BodyBuilder {
                             body_.anatomy.landmark_m(landmark));
   }
   void Add(const Vector3& from_m, double from_radius_m, const Vector3& to_m, double to_radius_m) {
-    solids_.cones.push_back({from_m, from_radius_m, to_m, to_radius_m});
+    Add(from_m, from_radius_m, to_m, to_radius_m, solids_);
+  }
+  static void Add(const Vector3& from_m, double from_radius_m, const Vector3& to_m,
+                  double to_radius_m, SmoothUnion& solids) {
+    solids.cones.push_back({from_m, from_radius_m, to_m, to_radius_m});
   }
 
   // Clavicle and scapula, wherever they are.
@@ -239,16 +255,15 @@ class BodyBuilder {
     Add(center_m, head_m, center_m, head_m);
   }
 
-  void CoverArm(Side side) {
+  void CoverArm(Side side, SmoothUnion& solids) const {
     const double mm = Millimeter_m(kH);
     const Vector3 elbow_m =
         OnSideInThorax_m(body_.anatomy, body_.pose, side, kH, body_.anatomy.elbow_m());
-    Add(Landmark_m(Landmark::kGH, side), kHead_mm * mm, elbow_m, kShaft_mm * mm);
+    Add(Landmark_m(Landmark::kGH, side), kHead_mm * mm, elbow_m, kShaft_mm * mm, solids);
     for (const auto& [epicondyle, outward_mm] :
          {std::pair(Landmark::kEM, -kBesideElbow_mm), std::pair(Landmark::kEL, kBesideElbow_mm)}) {
-      const Vector3 knuckle_m = Landmark_m(epicondyle, side);
-      Add(Place_m(kH, {0, kAboveElbow_mm, outward_mm}, side), kBesideElbow_mm * mm, knuckle_m,
-          kElbowCover_mm * mm);
+      Add(Place_m(kH, {0, kAboveElbow_mm, outward_mm}, side), kBesideElbow_mm * mm,
+          Landmark_m(epicondyle, side), kElbowCover_mm * mm, solids);
     }
   }
 

@@ -51,6 +51,9 @@ double SmoothUnion::operator()(const Vector3& point_m) const noexcept {
   for (const TurnedEllipsoid& ellipsoid : ellipsoids) {
     add(SignedDistance_m(ellipsoid, point_m));
   }
+  for (const SmoothUnion& part : parts) {
+    add(part(point_m));
+  }
   double value_m = -blend_m * std::log(sum);
   for (const HalfSpace& cut : cuts) {
     const double beyond_m = glm::dot(point_m - cut.point_m, cut.outward);

@@ -42,11 +42,11 @@ struct HalfSpace {
 ///     d = -k log sum_i exp(-d_i / k),      d_cut = k_c log(exp(d / k_c) + sum_j exp(h_j / k_c))
 ///
 /// k the blend, k_c the rounding of the cuts' edges [m]. The order of the solids does not matter.
-class SmoothUnion {
- public:
+struct SmoothUnion {
   std::vector<RoundCone> cones;
   std::vector<TurnedEllipsoid> ellipsoids;
-  std::vector<HalfSpace> cuts;  ///< what is kept
+  std::vector<SmoothUnion> parts;  ///< solids that are unions themselves, each with cuts of its own
+  std::vector<HalfSpace> cuts;     ///< what is kept
   double blend_m = 0.01;
   double rounding_m = 0.003;
 
