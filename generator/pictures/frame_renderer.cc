@@ -217,14 +217,16 @@ void FrameRenderer::AimFrom(std::size_t direction) {
     if (key >= 0) {
       mj_resetDataKeyframe(model_.get(), data.get(), key);
     }
-    mj_kinematics(model_.get(), data.get());
+    mj_fwdPosition(model_.get(), data.get());
     for (int geom = 0; geom < model_->ngeom; ++geom) {
       if (model_->geom_bodyid[geom] != 0 && option_.geomgroup[GroupOf(*model_, geom)] != 0) {
         AddGeom(*model_, *data, geom, box);
       }
     }
-    if (option_.flags[mjVIS_SKIN] != 0) {
-      mjv_updateSkin(model_.get(), data.get(), scene_.get());
+    if (option_.flags[mjVIS_SKIN] != 0 && model_->nskin > 0) {
+      // MuJoCo has no other function for it that does not warn.
+      mjv_updateScene(model_.get(), data.get(), &option_, nullptr, &camera_, mjCAT_ALL,
+                      scene_.get());
       for (mjtSize vertex = 0; vertex < model_->nskinvert; ++vertex) {
         const float* const p = scene_->skinvert + 3 * vertex;
         box.Add({p[0], p[1], p[2]});

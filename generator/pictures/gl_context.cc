@@ -55,7 +55,7 @@ namespace {
 constexpr std::array<std::string_view, 3> kPlatformNames = {"EGL device", "EGL surfaceless",
                                                             "OSMesa"};
 constexpr const char* kInstall =
-    "Install one: apt-get install libegl1 libgl1-mesa-dri, or: apt-get install libosmesa6";
+    "apt-get install libegl1 libgl1-mesa-dri, or: apt-get install libosmesa6";
 
 // A library that is closed again if nothing comes of it.
 class SharedLibrary {
@@ -325,7 +325,7 @@ std::unique_ptr<GlLibrary> OpenLibrary() {
   const std::string chosen = word.empty() ? "" : std::string(kGlVariable) + "=" + word + ", ";
   if (word == "none") {
     throw InputError("cannot draw pictures: " + std::string(kGlVariable) +
-                     "=none forbids it. Unset it. " + kInstall);
+                     "=none. Unset it. If nothing draws then: " + kInstall);
   }
   std::string problems;
   std::unique_ptr<GlLibrary> library;
@@ -337,7 +337,7 @@ std::unique_ptr<GlLibrary> OpenLibrary() {
   }
   if (library == nullptr) {
     throw InputError("cannot draw pictures: no OpenGL that draws without a screen (" + chosen +
-                     problems + "). " + kInstall);
+                     problems + "). Install one: " + kInstall);
   }
   return library;
 }
