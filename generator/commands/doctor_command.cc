@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "commands/output_file.h"
+#include "commands/picture_diagnosis.h"
 #include "commands/simulation_module.h"
 #include "engines/diagnosis.h"
 #include "engines/engine_search.h"
@@ -107,6 +108,7 @@ Diagnosis Examine(const DoctorArguments& arguments) {
       Diagnose(engines, plugins, ShoulderModelXml(BuiltInAnatomy(), BuiltInRhythm({}), {}),
                Checkout(program_folder));
   diagnosis.notes = std::move(notes);
+  DiagnosePictures(diagnosis);
   return diagnosis;
 }
 
@@ -130,7 +132,8 @@ void AddDoctorCommand(CLI::App& program, int& status) {
   verb->footer(
       "Looks where Python, unpacked releases and the system keep MuJoCo, and at MUJOCO_ROOT. Each "
       "is loaded,\nwith the plugin for its version, in a process of its own, and steps a shoulder. "
-      "Where one does not work\nthe line after `type` mends it. Exit status 1 if none works.\n"
+      "Where one does not work\nthe line after `type` mends it. Says besides what draws pictures "
+      "and makes videos. Exit status 1 if no MuJoCo works.\n"
       "Example:\n  girdle doctor");
   verb->callback([arguments, &status] {
     const Diagnosis diagnosis = Examine(*arguments);

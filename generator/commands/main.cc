@@ -16,6 +16,7 @@
 #include "commands/doctor_command.h"
 #include "commands/generate_command.h"
 #include "commands/output_file.h"
+#include "commands/render_command.h"
 #include "commands/simulate_command.h"
 #include "commands/solve_command.h"
 #include "commands/thorax_command.h"
@@ -69,6 +70,7 @@ int Run(int argc, char** argv) {
   AddSolveCommand(program);
   AddGenerateCommand(program);
   AddSimulateCommand(program);
+  AddRenderCommand(program);
   AddVerifyCommand(program, residual_status);
   AddCompareCommand(program);
   AddContinuityCommand(program, residual_status);

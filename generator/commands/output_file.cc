@@ -103,6 +103,8 @@ void OutputFile::Write(std::string_view text) {
   }
 }
 
+int OutputFile::Descriptor() const noexcept { return fileno(file_); }
+
 void OutputFile::Flush() {
   if (std::fflush(file_) != 0) {
     Fail();

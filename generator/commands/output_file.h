@@ -27,6 +27,8 @@ class OutputFile {
   ~OutputFile();
 
   void Write(std::string_view text);
+  /// The open file, for a program that writes it in place of Write.
+  [[nodiscard]] int Descriptor() const noexcept;
   /// Hands on what was written so far, as to whoever waits at the other end of a pipe.
   void Flush();
   /// Flushes and puts the file in its place.

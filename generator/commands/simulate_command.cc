@@ -12,8 +12,11 @@
 #include <optional>
 #include <string>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include "commands/output_file.h"
+#include "commands/picture_arguments.h"
 #include "commands/progress.h"
 #include "commands/rhythm_arguments.h"
 #include "commands/simulation_module.h"
@@ -36,6 +39,10 @@ struct SimulateArguments {
   std::optional<std::string> motion;
   std::string trace;
   std::string controls;
+  std::string picture;
+  std::string video;
+  std::string frames_per_s;
+  ViewArguments view;
   std::string side;
   RhythmArguments rhythm;
   bool json = false;
@@ -98,6 +105,51 @@ bool SameFile(const std::string& a, const std::string& b) {
   return !unclear && place_a == place_b;
 }
 
+// Of options and the files that they name; empty for none.
+void ExpectDifferentFiles(const std::vector<std::pair<std::string, std::string>>& outputs) {
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    for (std::size_t j = i + 1; j < outputs.size(); ++j) {
+      const auto& [first, first_file] = outputs[i];
+      const auto& [second, second_file] = outputs[j];
+      if (!first_file.empty() && !second_file.empty() && SameFile(first_file, second_file)) {
+        throw InputError(first + " and " + second + " both want " + second_file +
+                         ". Give each a file of its own");
+      }
+    }
+  }
+}
+
+// All but where the pictures go.
+PictureRequest RequestedPictures(const SimulateArguments& arguments) {
+  if (arguments.picture.empty() && arguments.video.empty() && !arguments.view.empty()) {
+    throw InputError(
+        "--camera, --size and --show belong to a picture. Give --picture FILE.png or --video "
+        "FILE.mp4");
+  }
+  if (arguments.video.empty() && !arguments.frames_per_s.empty()) {
+    throw InputError("--fps " + arguments.frames_per_s + ": of which video? Give --video FILE.mp4");
+  }
+  PictureRequest pictures;
+  pictures.view = ChosenView(arguments.view);
+  if (!arguments.picture.empty()) {
+    ExpectSuffix("--picture", arguments.picture, ".png");
+  }
+  if (!arguments.video.empty()) {
+    ExpectSuffix("--video", arguments.video, ".mp4");
+  }
+  if (!arguments.frames_per_s.empty()) {
+    const double frames_per_s = NumberArgument("--fps", arguments.frames_per_s);
+    if (frames_per_s != std::round(frames_per_s) || frames_per_s < kSlowestVideo_per_s ||
+        frames_per_s > kFastestVideo_per_s) {
+      throw InputError("--fps " + arguments.frames_per_s + ": expected a whole number, " +
+                       std::to_string(kSlowestVideo_per_s) + " to " +
+                       std::to_string(kFastestVideo_per_s));
+    }
+    pictures.frames_per_s = static_cast<int>(frames_per_s);
+  }
+  return pictures;
+}
+
 void Simulate(const SimulateArguments& arguments) {
   const MotionRequest request = Requested(arguments);
   if (arguments.json && arguments.trace == "-") {
@@ -106,11 +158,11 @@ void Simulate(const SimulateArguments& arguments) {
   if (arguments.controls == "-" && (arguments.json || arguments.trace == "-")) {
     throw InputError("--controls - wants standard output alone. Write one of them to a file");
   }
-  if (!arguments.controls.empty() && !arguments.trace.empty() &&
-      SameFile(arguments.controls, arguments.trace)) {
-    throw InputError("--trace and --controls both want " + arguments.controls +
-                     ". Give each a file of its own");
-  }
+  ExpectDifferentFiles({{"--trace", arguments.trace},
+                        {"--controls", arguments.controls},
+                        {"--picture", arguments.picture},
+                        {"--video", arguments.video}});
+  PictureRequest pictures = RequestedPictures(arguments);
   const SimulationModule& simulation = LoadSimulation();
   std::optional<OutputFile> trace;
   if (!arguments.trace.empty()) {
@@ -120,6 +172,15 @@ void Simulate(const SimulateArguments& arguments) {
   if (!arguments.controls.empty()) {
     controls.emplace(arguments.controls);
   }
+  std::optional<OutputFile> picture;
+  if (!arguments.picture.empty()) {
+    picture.emplace(arguments.picture);
+  }
+  std::optional<OutputFile> video;
+  if (!arguments.video.empty()) {
+    video.emplace(arguments.video);
+    pictures.video = video->Descriptor();
+  }
   const auto into = [](std::optional<OutputFile>& file) {
     return [&file](std::string_view text) {
       if (file) {
@@ -128,16 +189,18 @@ void Simulate(const SimulateArguments& arguments) {
     };
   };
   const bool prints_table = arguments.trace == "-" || arguments.controls == "-";
+  if (picture) {
+    pictures.png = into(picture);
+  }
   TerminalProgress progress("simulating", !prints_table);
   const SimulationSummary summary = simulation.simulate(
       arguments.model, ChosenPlugin(arguments.plugin), request, OverrideFrom(arguments.rhythm),
-      into(trace), controls ? TextSink(into(controls)) : nullptr, std::ref(progress));
+      into(trace), controls ? TextSink(into(controls)) : nullptr, pictures, std::ref(progress));
   progress.Clear();
-  if (trace) {
-    trace->Commit();
-  }
-  if (controls) {
-    controls->Commit();
+  for (std::optional<OutputFile>* const file : {&trace, &controls, &picture, &video}) {
+    if (*file) {
+      (*file)->Commit();
+    }
   }
   if (prints_table) {
     return;  // the table is the output
@@ -145,10 +208,14 @@ void Simulate(const SimulateArguments& arguments) {
   if (arguments.json) {
     nlohmann::ordered_json json;
     json["model"] = arguments.model;
-    json["trace"] = arguments.trace.empty() ? nlohmann::ordered_json(nullptr)
-                                            : nlohmann::ordered_json(arguments.trace);
-    json["controls"] = arguments.controls.empty() ? nlohmann::ordered_json(nullptr)
-                                                  : nlohmann::ordered_json(arguments.controls);
+    const auto file = [](const std::string& name) {
+      return name.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(name);
+    };
+    json["trace"] = file(arguments.trace);
+    json["controls"] = file(arguments.controls);
+    json["picture"] = file(arguments.picture);
+    json["video"] = file(arguments.video);
+    json["frames"] = summary.frames;
     json["rows"] = summary.rows;
     json["duration_s"] = summary.duration_s;
     json["clamped_rows"] = summary.clamped_rows;
@@ -173,7 +240,10 @@ void Simulate(const SimulateArguments& arguments) {
                    " deg from measured positions: modelled, not measured\n"
              : "") +
         (trace ? "trace  " + arguments.trace + "\n" : "") +
-        (controls ? "controls  " + arguments.controls + "\n" : ""));
+        (controls ? "controls  " + arguments.controls + "\n" : "") +
+        (picture ? "picture  " + arguments.picture + "\n" : "") +
+        (video ? "video  " + arguments.video + ", " + std::to_string(summary.frames) + " frames\n"
+               : ""));
 }
 
 }  // namespace
@@ -199,15 +269,25 @@ void AddSimulateCommand(CLI::App& program) {
                    "CSV to write: what position servos are to be given at every step, for the same "
                    "model made with --actuation position; - for standard output")
       ->type_name("FILE");
+  verb->add_option("--picture", arguments->picture, "PNG to write: the last instant")
+      ->type_name("FILE");
+  verb->add_option("--video", arguments->video,
+                   "MP4 to write: the motion in real time; needs the program ffmpeg")
+      ->type_name("FILE");
+  verb->add_option("--fps", arguments->frames_per_s, "Frames of the video a second (default 30)")
+      ->type_name("N");
+  AddViewArguments(*verb, arguments->view);
   verb->add_option("--side", arguments->side,
                    "Which shoulder the trace is of (default: the model's, or the right of both)")
       ->type_name("right|left");
   AddRhythmArguments(*verb, arguments->rhythm);
   AddPluginArgument(*verb, arguments->plugin);
   verb->add_flag("--json", arguments->json, "Summary as JSON");
-  verb->footer(
-      "Example:\n"
-      "  girdle simulate scene.xml --raise 0:150 --plane 0 --seconds 2 --trace raise.csv");
+  verb->footer(kPicturesHelp + std::string("Examples:\n"
+                                           "  girdle simulate scene.xml --raise 0:150 --plane 0 "
+                                           "--seconds 2 --trace raise.csv\n"
+                                           "  girdle simulate scene.xml --raise 0:150 --video "
+                                           "raise.mp4 --camera front"));
   verb->callback([arguments] { Simulate(*arguments); });
 }
 

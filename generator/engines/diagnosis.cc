@@ -125,6 +125,11 @@ void AppendRow(std::ostream& out, std::string_view name, const std::string& valu
   }
 }
 
+void AppendTool(std::ostream& out, std::string_view name, const ToolDiagnosis& tool) {
+  out << name << "  " << (tool.found.empty() ? "none: " + tool.problem : tool.found) << "\n";
+  AppendRow(out, "type", tool.fix);
+}
+
 }  // namespace
 
 bool Diagnosis::passed() const {
@@ -184,6 +189,9 @@ std::string DiagnosisAsText(const Diagnosis& diagnosis) {
   for (const std::string& note : diagnosis.notes) {
     out << note << "\n\n";
   }
+  AppendTool(out, "pictures", diagnosis.pictures);
+  AppendTool(out, "videos", diagnosis.videos);
+  out << "\n";
   const auto working = std::count_if(diagnosis.engines.begin(), diagnosis.engines.end(),
                                      [](const EngineDiagnosis& engine) { return engine.works; });
   if (diagnosis.engines.empty()) {
@@ -218,9 +226,15 @@ std::string DiagnosisAsJson(const Diagnosis& diagnosis) {
                        {"problem", plugin.problem},
                        {"fix", plugin.fix}});
   }
+  const auto tool = [](const ToolDiagnosis& value) {
+    return nlohmann::ordered_json(
+        {{"found", value.found}, {"problem", value.problem}, {"fix", value.fix}});
+  };
   const nlohmann::ordered_json report = {{"passed", diagnosis.passed()},
                                          {"engines", engines},
                                          {"plugins", plugins},
+                                         {"pictures", tool(diagnosis.pictures)},
+                                         {"videos", tool(diagnosis.videos)},
                                          {"notes", diagnosis.notes},
                                          {"fix", diagnosis.fix}};
   return report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";

@@ -33,11 +33,20 @@ struct PluginDiagnosis {
   std::string fix;                       ///< a line for the shell; empty if none is known
 };
 
+/// Something that pictures need beside MuJoCo. Without it all else works.
+struct ToolDiagnosis {
+  std::string found;    ///< what or where it is; empty if there is none
+  std::string problem;  ///< empty if it was found
+  std::string fix;      ///< a line for the shell; empty if it was found or none is known
+};
+
 struct Diagnosis {
   std::vector<EngineDiagnosis> engines;
   std::vector<PluginDiagnosis> plugins;
   /// What was named and holds no MuJoCo, a sentence each.
   std::vector<std::string> notes;
+  ToolDiagnosis pictures;  ///< OpenGL without a screen
+  ToolDiagnosis videos;    ///< ffmpeg
   /// A line for the shell where there is no MuJoCo at all; else empty.
   std::string fix;
 
@@ -52,7 +61,8 @@ struct Diagnosis {
                                  const std::vector<std::filesystem::path>& plugins,
                                  const std::string& model, const std::filesystem::path& checkout);
 
-/// The diagnosis for people: a block a MuJoCo, a block a plugin without one, and a sentence.
+/// The diagnosis for people: a block a MuJoCo, a block a plugin without one, what draws pictures,
+/// and a sentence.
 [[nodiscard]] std::string DiagnosisAsText(const Diagnosis& diagnosis);
 
 /// The same as JSON, with a line break after it.

@@ -7,7 +7,13 @@
 #include <cmath>
 #include <fstream>
 #include <stdexcept>
+#include <utility>
 
+#include "pictures/frame_renderer.h"
+#include "pictures/gl_context.h"
+#include "pictures/png_file.h"
+#include "pictures/simulation_pictures.h"
+#include "pictures/video_pipe.h"
 #include "simulation/engine.h"
 #include "simulation/mapped_arm.h"
 #include "simulation/mapped_shoulder.h"
@@ -143,7 +149,7 @@ std::string TableName(const ShoulderSimulation& simulation, const RhythmOverride
 SimulationSummary Simulate(const std::string& model_path, const std::string& plugin,
                            const MotionRequest& request, const RhythmOverride& rhythm,
                            const TextSink& trace, const TextSink& controls,
-                           const ProgressSink& progress) {
+                           const PictureRequest& pictures, const ProgressSink& progress) {
   const Motion motion = RequestedMotion(request);
   const EngineWatch watch;
   LoadPlugin(plugin);
@@ -160,6 +166,7 @@ SimulationSummary Simulate(const std::string& model_path, const std::string& plu
   const auto command_at = [&](long step) {
     return ReplayableCommand(motion.command(static_cast<double>(step) * simulation.timestep_s()));
   };
+  SimulationPictures drawn(simulation, pictures);
   simulation.Start(command_at(0));
   trace(TraceHeader(assembly));
   if (controls) {
@@ -183,6 +190,7 @@ SimulationSummary Simulate(const std::string& model_path, const std::string& plu
     row.clear();
     AppendTraceRow(row, state);
     trace(row);
+    drawn.Add(state.time_s, step == steps);
     if (controls) {
       row.clear();
       AppendControlsRow(row, state.time_s, simulation.Targets());
@@ -198,8 +206,88 @@ SimulationSummary Simulate(const std::string& model_path, const std::string& plu
     summary.worst_error_deg = std::max(summary.worst_error_deg, summary.last_error_deg);
     progress(static_cast<double>(step) / static_cast<double>(std::max(steps, 1L)));
   }
+  summary.frames = drawn.Finish();
   return summary;
 }
+
+std::string KeyframeNames(const mjModel& model) {
+  std::string names;
+  for (int key = 0; key < model.nkey; ++key) {
+    const char* const name = mj_id2name(&model, mjOBJ_KEY, key);
+    if (name != nullptr && *name != '\0') {
+      names += (names.empty() ? "" : ", ") + std::string(name);
+    }
+  }
+  return names;
+}
+
+// Number of the keyframe asked for; -1 for where the model starts.
+int KeyframeOf(const mjModel& model, const std::string& model_name, const std::string& name) {
+  const std::string wanted = name.empty() ? std::string(kRestName) : name;
+  const int key = mj_name2id(&model, mjOBJ_KEY, wanted.c_str());
+  if (key < 0 && !name.empty()) {
+    const std::string names = KeyframeNames(model);
+    throw InputError(model_name + ": has no keyframe \"" + name + "\". " +
+                     (names.empty() ? "It has none that has a name: leave --keyframe away"
+                                    : "Choose one of: " + names));
+  }
+  return key;
+}
+
+// Puts the arms where the request has them.
+void Pose(ShoulderSimulation& simulation, const RenderRequest& request,
+          const RhythmOverride& override, bool& clamped) {
+  const AssembledRhythm rhythm = AssembledOf(simulation, RhythmOf(simulation, override));
+  const ShoulderPose rest = rhythm.SolvePose({});
+  for (const ShoulderElements& shoulder : simulation.shoulders()) {
+    const bool is_meant = !request.side || *request.side == shoulder.side;
+    if (request.command) {
+      ArmCommand used;
+      const ShoulderPose raised = rhythm.SolvePose(*request.command, &used);
+      clamped = clamped || used != *request.command;
+      simulation.PutAt(shoulder, is_meant ? raised : rest);
+    }
+    if (is_meant && request.girdle == GirdleMotion::kFrozen) {
+      const ShoulderPose at = BindPose(simulation.model(), shoulder).value_or(rest);
+      simulation.PutAt(shoulder, FrozenGirdle(simulation.PoseOf(shoulder), at));
+    }
+  }
+}
+
+RenderResult Render(const std::string& model_path, const std::string& plugin,
+                    const RenderRequest& request, const RhythmOverride& override) {
+  const EngineWatch watch;
+  LoadPlugin(plugin);
+  ModelPointer model = LoadModel(model_path);
+  const int key = request.command ? -1 : KeyframeOf(*model, model_path, request.keyframe);
+  RenderResult result;
+  if (!request.command && request.girdle == GirdleMotion::kMeasured && !request.side) {
+    // Any model can be drawn as it is.
+    FrameRenderer renderer(*model, model_path, request.view);
+    const DataPointer data = MakeData(*model);
+    if (key >= 0) {
+      mj_resetDataKeyframe(model.get(), data.get(), key);
+    }
+    mj_fwdPosition(model.get(), data.get());
+    result.png = PngBytes(renderer.Draw(*data));
+    return result;
+  }
+  ShoulderSimulation simulation(std::move(model), model_path);
+  if (request.side) {
+    simulation.Watch(*request.side);
+  }
+  FrameRenderer renderer(simulation.model(), model_path, request.view);
+  if (key >= 0) {
+    simulation.PutAtKeyframe(key);
+  }
+  Pose(simulation, request, override, result.clamped);
+  result.png = PngBytes(renderer.Draw(simulation.data()));
+  return result;
+}
+
+std::string DescribeRenderer() { return GlContext().Description(); }
+
+std::string FfmpegPath() { return FindFfmpeg().string(); }
 
 // What was verified: sides, assembly, what moves the joints.
 std::string KindOf(const ShoulderSimulation& simulation) {
@@ -284,7 +372,8 @@ VerifyResult VerifyMapped(const MappedModel& mapped, const std::string& plugin,
 // NOLINTNEXTLINE(readability-identifier-naming): a C symbol
 extern "C" __attribute__((visibility("default"))) const girdle::SimulationModule*
 girdle_simulation_module() {
-  static const girdle::SimulationModule kModule = {girdle::CheckModel, girdle::Simulate,
-                                                   girdle::Verify, girdle::VerifyMapped};
+  static const girdle::SimulationModule kModule = {
+      girdle::CheckModel, girdle::Simulate, girdle::Render,      girdle::DescribeRenderer,
+      girdle::FfmpegPath, girdle::Verify,   girdle::VerifyMapped};
   return &kModule;
 }

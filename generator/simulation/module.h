@@ -5,6 +5,7 @@
 /// it, so that the other verbs work where there is no MuJoCo.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
@@ -14,6 +15,7 @@
 
 #include "kinematics/model_names.h"
 #include "kinematics/shoulder_rhythm.h"
+#include "pictures/view.h"
 #include "tables/anatomy.h"
 
 namespace girdle {
@@ -51,6 +53,40 @@ struct SimulationSummary {
   /// In which the command lay outside the rhythm's or the controls' ranges.
   std::size_t clamped_rows = 0;
   double worst_distance_deg = 0;  ///< farthest from measured data
+  long frames = 0;                ///< of the video
+};
+
+/// What a simulation draws.
+struct PictureRequest {
+  View view;
+  TextSink png;    ///< gets a PNG file of the last instant; null for none
+  int video = -1;  ///< open file that gets a video in real time, an MP4; -1 for none
+  int frames_per_s = 30;
+};
+
+/// How a girdle goes with its arm.
+enum class GirdleMotion {
+  kMeasured,
+  kFrozen,  ///< it stays, and the arm turns in GH alone
+};
+/// Words for them, in the order of the enumerators.
+inline constexpr std::array<std::string_view, 2> kGirdleMotionNames = {"measured", "frozen"};
+
+/// A picture of a model that is put into a pose, without simulating.
+struct RenderRequest {
+  /// Keyframe of the model; empty for `rest` or, if the model has none, for where it starts.
+  std::string keyframe;
+  /// Where the rhythm takes the shoulders, in place of a keyframe.
+  std::optional<ArmCommand> command;
+  /// The shoulder that the command and `girdle` are for, while another one rests; nothing for all.
+  std::optional<Side> side;
+  GirdleMotion girdle = GirdleMotion::kMeasured;
+  View view;
+};
+
+struct RenderResult {
+  std::string png;       ///< a PNG file
+  bool clamped = false;  ///< the command lay outside the rhythm's range; the nearest pose was used
 };
 
 /// A model that is not ours, and where its arm is moved to [deg].
@@ -75,7 +111,13 @@ struct SimulationModule {
   SimulationSummary (*simulate)(const std::string& model, const std::string& plugin,
                                 const MotionRequest& request, const RhythmOverride& rhythm,
                                 const TextSink& trace, const TextSink& controls,
-                                const ProgressSink& progress);
+                                const PictureRequest& pictures, const ProgressSink& progress);
+  RenderResult (*render)(const std::string& model, const std::string& plugin,
+                         const RenderRequest& request, const RhythmOverride& rhythm);
+  /// Says what draws pictures here: `EGL device, llvmpipe (LLVM 15.0.6, 256 bits)`.
+  std::string (*describe_renderer)();
+  /// Returns where the ffmpeg is that makes videos; empty if there is none.
+  std::string (*find_ffmpeg)();
   /// Holds the model's bones against `anatomy`.
   VerifyResult (*verify)(const std::string& model, const std::string& plugin,
                          const RhythmOverride& rhythm, const Anatomy& anatomy, bool json,

@@ -1,0 +1,368 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "pictures/frame_renderer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <utility>
+
+#include "kinematics/model_names.h"
+#include "kinematics/rotation.h"
+#include "tables/input_error.h"
+
+namespace girdle {
+namespace {
+
+// Of what MuJoCo may add to a scene; the memory is a few megabytes.
+constexpr int kMostSceneGeoms = 10000;
+// Of the skin where bones are seen through it.
+constexpr float kTranslucent = 0.35F;
+
+// Where cameras stand that look from a side, as MuJoCo counts: azimuth 0 looks along x, which is
+// forward, from behind; elevation is negative looking down.
+struct Direction {
+  double azimuth_deg;
+  double elevation_deg;
+};
+// In the order of kCameraWords; the last is seen from the right.
+constexpr std::array<Direction, kCameraWords.size()> kDirections = {
+    {{180, 0}, {0, 0}, {0, -90}, {133, -29}}};
+constexpr std::size_t kOblique = 3;
+
+void ExpectSize(const PictureSize& size) {
+  for (const int length : {size.width, size.height}) {
+    if (length < kSmallestPicture || length > kLargestPicture) {
+      throw InputError("a picture of " + std::to_string(size.width) + "x" +
+                       std::to_string(size.height) + " pixels: width and height are " +
+                       std::to_string(kSmallestPicture) + " to " + std::to_string(kLargestPicture));
+    }
+  }
+}
+
+// A box around points in the world.
+class Box {
+ public:
+  void Add(const Vector3& p_m) {
+    lower_m_ = glm::min(lower_m_, p_m);
+    upper_m_ = glm::max(upper_m_, p_m);
+  }
+  [[nodiscard]] bool is_empty() const { return lower_m_.x > upper_m_.x; }
+  [[nodiscard]] Vector3 center_m() const { return 0.5 * (lower_m_ + upper_m_); }
+  [[nodiscard]] Vector3 size_m() const { return upper_m_ - lower_m_; }
+
+ private:
+  Vector3 lower_m_{std::numeric_limits<double>::infinity()};
+  Vector3 upper_m_{-std::numeric_limits<double>::infinity()};
+};
+
+// A corner of a box of two units a side about the origin.
+constexpr int kCorners = 8;
+Vector3 CornerSigns(int corner) {
+  return {(corner & 1) != 0 ? 1 : -1, (corner & 2) != 0 ? 1 : -1, (corner & 4) != 0 ? 1 : -1};
+}
+
+// Adds the corners of the box that MuJoCo knows around a geom, in the geom's own axes.
+void AddGeom(const mjModel& model, const mjData& data, int geom, Box& box) {
+  const mjtNum* const c = model.geom_aabb + 6 * geom;
+  const Vector3 center_m{c[0], c[1], c[2]};
+  const Vector3 half_m{c[3], c[4], c[5]};
+  const mjtNum* const p = data.geom_xpos + 3 * geom;
+  for (int corner = 0; corner < kCorners; ++corner) {
+    const Vector3 p_m = center_m + CornerSigns(corner) * half_m;
+    const std::array<mjtNum, 3> in_geom = {p_m.x, p_m.y, p_m.z};
+    std::array<mjtNum, 3> turned{};
+    mju_mulMatVec3(turned.data(), data.geom_xmat + 9 * geom, in_geom.data());
+    box.Add({p[0] + turned[0], p[1] + turned[1], p[2] + turned[2]});
+  }
+}
+
+// Brightens the headlight of a model that has no light of its own to that of the scenes that girdle
+// generate writes: MuJoCo's default leaves most in the dark.
+void LightUp(mjModel& model) {
+  constexpr float kAmbient = 0.35F;
+  constexpr float kDiffuse = 0.65F;
+  if (model.nlight > 0) {
+    return;
+  }
+  for (int k = 0; k < 3; ++k) {
+    float& ambient = model.vis.headlight.ambient[k];
+    float& diffuse = model.vis.headlight.diffuse[k];
+    ambient = std::max(ambient, kAmbient);
+    diffuse = std::max(diffuse, kDiffuse);
+  }
+}
+
+// Whether a model has a shoulder on the left alone.
+bool IsLeftAlone(const mjModel& model) {
+  const auto has = [&model](Side side) {
+    return mj_name2id(&model, mjOBJ_BODY, SidedName("humerus", side).c_str()) >= 0;
+  };
+  return has(Side::kLeft) && !has(Side::kRight);
+}
+
+// Visualization group of a geom, as MuJoCo counts those beyond its last.
+int GroupOf(const mjModel& model, int geom) {
+  return std::clamp(model.geom_group[geom], 0, mjNGROUP - 1);
+}
+
+std::string Joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) {
+    text += (text.empty() ? "" : ", ") + word;
+  }
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::string> CameraNames(const mjModel& model) {
+  std::vector<std::string> names;
+  for (int i = 0; i < model.ncam; ++i) {
+    const char* const name = mj_id2name(&model, mjOBJ_CAMERA, i);
+    if (name != nullptr && *name != '\0') {
+      names.emplace_back(name);
+    }
+  }
+  for (const std::string_view word : kCameraWords) {
+    if (std::find(names.begin(), names.end(), word) == names.end()) {
+      names.emplace_back(word);
+    }
+  }
+  return names;
+}
+
+namespace {
+
+ModelPointer CheckedCopy(const mjModel& model, const std::string& name, const View& view) {
+  ExpectSize(view.size);
+  const std::vector<std::string> cameras = CameraNames(model);
+  if (std::find(cameras.begin(), cameras.end(), view.camera) == cameras.end()) {
+    throw InputError(name + ": has no camera \"" + view.camera +
+                     "\". Choose one of: " + Joined(cameras));
+  }
+  if (model.nskin == 0 && view.show && *view.show != Show::kBones) {
+    throw InputError(name +
+                     ": has no skin to show. Show its bones, or make a model that has a skin");
+  }
+  ModelPointer copy(mj_copyModel(nullptr, &model));
+  if (copy == nullptr) {
+    throw InputError("MuJoCo cannot copy the model: not enough memory");
+  }
+  copy->vis.global.offwidth = view.size.width;
+  copy->vis.global.offheight = view.size.height;
+  LightUp(*copy);
+  return copy;
+}
+
+}  // namespace
+
+void FrameRenderer::SceneDeleter::operator()(mjvScene* scene) const noexcept {
+  mjv_freeScene(scene);
+  delete scene;
+}
+
+void FrameRenderer::RendererDeleter::operator()(mjrContext* renderer) const noexcept {
+  mjr_freeContext(renderer);
+  delete renderer;
+}
+
+FrameRenderer::FrameRenderer(const mjModel& model, std::string name, const View& view)
+    : name_(std::move(name)),
+      view_(view),
+      show_(view.show.value_or(model.nskin > 0 ? Show::kSkin : Show::kBones)),
+      model_(CheckedCopy(model, name_, view)) {
+  mjv_defaultOption(&option_);
+  option_.flags[mjVIS_SKIN] = show_ == Show::kBones ? 0 : 1;
+  if (show_ == Show::kSkin) {
+    option_.flags[mjVIS_TENDON] = 0;
+  }
+  scene_.reset(new mjvScene);
+  mjv_defaultScene(scene_.get());
+  mjv_makeScene(model_.get(), scene_.get(), kMostSceneGeoms);
+  renderer_.reset(new mjrContext);
+  mjr_defaultContext(renderer_.get());
+  mjr_makeContext(model_.get(), renderer_.get(), mjFONTSCALE_100);
+  mjr_setBuffer(mjFB_OFFSCREEN, renderer_.get());
+  if (renderer_->currentBuffer != mjFB_OFFSCREEN) {
+    throw InputError("cannot draw pictures: " + context_.Description() +
+                     " has no buffer off the screen. Set " + kGlVariable + "=osmesa");
+  }
+  mjv_defaultCamera(&camera_);
+  camera_.fixedcamid = mj_name2id(model_.get(), mjOBJ_CAMERA, view_.camera.c_str());
+  camera_.type = camera_.fixedcamid < 0 ? mjCAMERA_FREE : mjCAMERA_FIXED;
+  if (camera_.fixedcamid < 0) {
+    const auto* const word = std::find(kCameraWords.begin(), kCameraWords.end(), view_.camera);
+    AimFrom(static_cast<std::size_t>(word - kCameraWords.begin()));
+  }
+}
+
+FrameRenderer::~FrameRenderer() {
+  // What belongs to a context can be given back only while that is current.
+  if (!context_.MakeCurrent()) {
+    static_cast<void>(renderer_.release());
+  }
+}
+
+// Looks at the middle of a box around all that the bodies do, from where its corners are in view.
+void FrameRenderer::AimFrom(std::size_t direction) {
+  Box box;
+  const DataPointer data = MakeData(*model_);
+  for (int key = -1; key < model_->nkey; ++key) {
+    if (key >= 0) {
+      mj_resetDataKeyframe(model_.get(), data.get(), key);
+    }
+    mj_fwdPosition(model_.get(), data.get());
+    for (int geom = 0; geom < model_->ngeom; ++geom) {
+      if (model_->geom_bodyid[geom] != 0 && option_.geomgroup[GroupOf(*model_, geom)] != 0) {
+        AddGeom(*model_, *data, geom, box);
+      }
+    }
+    if (option_.flags[mjVIS_SKIN] != 0 && model_->nskin > 0) {
+      // MuJoCo has no other function for it that does not warn.
+      mjv_updateScene(model_.get(), data.get(), &option_, nullptr, &camera_, mjCAT_ALL,
+                      scene_.get());
+      for (mjtSize vertex = 0; vertex < model_->nskinvert; ++vertex) {
+        const float* const p = scene_->skinvert + 3 * vertex;
+        box.Add({p[0], p[1], p[2]});
+      }
+    }
+  }
+  if (box.is_empty()) {
+    const mjtNum* const p = model_->stat.center;
+    for (const double half_m : {-model_->stat.extent / 2, model_->stat.extent / 2}) {
+      box.Add(Vector3{p[0], p[1], p[2]} + half_m);
+    }
+  }
+
+  Direction from = kDirections[direction];
+  if (direction == kOblique && IsLeftAlone(*model_)) {
+    from.azimuth_deg = -from.azimuth_deg;
+  }
+  const double azimuth_rad = RadiansFromDegrees(from.azimuth_deg);
+  const double elevation_rad = RadiansFromDegrees(from.elevation_deg);
+  const Vector3 level{std::cos(azimuth_rad), std::sin(azimuth_rad), 0};
+  const Vector3 forward = std::cos(elevation_rad) * level + Vector3{0, 0, std::sin(elevation_rad)};
+  const Vector3 up = -std::sin(elevation_rad) * level + Vector3{0, 0, std::cos(elevation_rad)};
+  const Vector3 right = glm::cross(forward, up);
+  const double tangent_up = std::tan(RadiansFromDegrees(model_->vis.global.fovy) / 2);
+  const double tangent_right = tangent_up * view_.size.width / view_.size.height;
+  double distance_m = 0;
+  for (int corner = 0; corner < kCorners; ++corner) {
+    const Vector3 p_m = 0.5 * CornerSigns(corner) * box.size_m();
+    distance_m = std::max({distance_m,
+                           std::abs(glm::dot(p_m, right)) / tangent_right - glm::dot(p_m, forward),
+                           std::abs(glm::dot(p_m, up)) / tangent_up - glm::dot(p_m, forward)});
+  }
+  constexpr double kMargin = 1.05;
+  camera_.azimuth = from.azimuth_deg;
+  camera_.elevation = from.elevation_deg;
+  camera_.distance = kMargin * distance_m;
+  for (int k = 0; k < 3; ++k) {
+    camera_.lookat[k] = box.center_m()[k];
+  }
+}
+
+void FrameRenderer::UpdateScene(mjData& data) {
+  mjv_updateScene(model_.get(), &data, &option_, nullptr, &camera_, mjCAT_ALL, scene_.get());
+  if (show_ == Show::kSkin) {
+    HideBones();
+  }
+  if (show_ == Show::kBoth) {
+    for (int i = 0; i < scene_->ngeom; ++i) {
+      if (scene_->geoms[i].type == mjGEOM_SKIN) {
+        scene_->geoms[i].rgba[3] *= kTranslucent;
+      }
+    }
+  }
+  KeepSkinBetweenClipPlanes();
+}
+
+// Takes the geoms of bodies that move a skin out of the scene: a bone that comes through it is seen
+// with bones shown.
+void FrameRenderer::HideBones() {
+  const int* const bones = model_->skin_bonebodyid;
+  mjvGeom* const geoms = scene_->geoms;
+  const auto is_bone = [&](const mjvGeom& geom) {
+    if (geom.objtype != mjOBJ_GEOM && geom.objtype != mjOBJ_SITE) {
+      return false;
+    }
+    const int body = geom.objtype == mjOBJ_GEOM ? model_->geom_bodyid[geom.objid]
+                                                : model_->site_bodyid[geom.objid];
+    return std::find(bones, bones + model_->nskinbone, body) != bones + model_->nskinbone;
+  };
+  scene_->ngeom = static_cast<int>(std::remove_if(geoms, geoms + scene_->ngeom, is_bone) - geoms);
+}
+
+// MuJoCo puts the clip planes by the extent of the model, which geoms alone make.
+void FrameRenderer::KeepSkinBetweenClipPlanes() {
+  if (option_.flags[mjVIS_SKIN] == 0) {
+    return;
+  }
+  constexpr float kMargin = 1.05F;
+  // Of the far plane's distance; closer, the depth of what is far cannot be told any more.
+  constexpr float kNearest = 1e-4F;
+  for (mjvGLCamera& camera : scene_->camera) {
+    float nearest = camera.frustum_near;
+    float farthest = camera.frustum_far;
+    for (mjtSize vertex = 0; vertex < model_->nskinvert; ++vertex) {
+      float depth = 0;
+      for (int k = 0; k < 3; ++k) {
+        depth += camera.forward[k] * (scene_->skinvert[3 * vertex + k] - camera.pos[k]);
+      }
+      // What is behind the camera is not seen.
+      nearest = depth > 0 ? std::min(nearest, depth / kMargin) : nearest;
+      farthest = std::max(farthest, depth * kMargin);
+    }
+    nearest = std::max(nearest, std::min(camera.frustum_near, kNearest * farthest));
+    if (camera.orthographic == 0) {
+      // The picture's edges are given where the near plane is.
+      const float scale = nearest / camera.frustum_near;
+      camera.frustum_center *= scale;
+      camera.frustum_width *= scale;
+      camera.frustum_bottom *= scale;
+      camera.frustum_top *= scale;
+    }
+    camera.frustum_near = nearest;
+    camera.frustum_far = farthest;
+  }
+}
+
+Picture FrameRenderer::Draw(mjData& data) {
+  if (!context_.MakeCurrent()) {
+    throw InputError("cannot draw pictures: OpenGL does not take its context back");
+  }
+  UpdateScene(data);
+  const mjrRect viewport{0, 0, view_.size.width, view_.size.height};
+  mjr_render(viewport, scene_.get(), renderer_.get());
+  Picture picture{view_.size, {}};
+  const std::size_t row = 3 * static_cast<std::size_t>(view_.size.width);
+  picture.rgb.resize(row * static_cast<std::size_t>(view_.size.height));
+  mjr_readPixels(picture.rgb.data(), nullptr, viewport, renderer_.get());
+  EngineWatch::ExpectNoWarning(name_ + ": drawing a picture");
+  if (const int error = mjr_getError(); error != 0) {
+    throw InputError("cannot draw pictures: OpenGL reports error " + std::to_string(error) + " (" +
+                     context_.Description() + "). Choose a smaller picture, or set " + kGlVariable +
+                     "=osmesa");
+  }
+  // OpenGL's rows go up.
+  for (auto top = picture.rgb.begin(), bottom = picture.rgb.end() - static_cast<long>(row);
+       top < bottom; top += static_cast<long>(row), bottom -= static_cast<long>(row)) {
+    std::swap_ranges(top, top + static_cast<long>(row), bottom);
+  }
+  if (const std::optional<PictureFault> fault = FaultOf(picture)) {
+    throw InputError(*fault == PictureFault::kBlank
+                         ? name_ + ": the picture is blank: camera " + view_.camera +
+                               " sees nothing. Choose another one: " + Joined(CameraNames(*model_))
+                         : "cannot draw pictures: " + context_.Description() +
+                               " returns noise. Set " + kGlVariable + "=osmesa");
+  }
+  return picture;
+}
+
+}  // namespace girdle

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "pictures/png_file.h"
+
+#include <png.h>
+
+#include "tables/input_error.h"
+
+namespace girdle {
+
+std::string PngBytes(const Picture& picture) {
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  image.width = static_cast<png_uint_32>(picture.size.width);
+  image.height = static_cast<png_uint_32>(picture.size.height);
+  image.format = PNG_FORMAT_RGB;
+  std::string bytes;
+  // The largest that any picture of this size needs; a second pass only to measure would compress
+  // it twice.
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
+  bytes.resize(size);
+  if (png_image_write_to_memory(&image, bytes.data(), &size, 0, picture.rgb.data(), 0, nullptr) ==
+      0) {
+    throw InputError("cannot make a PNG: " + std::string(image.message));
+  }
+  bytes.resize(size);
+  return bytes;
+}
+
+}  // namespace girdle

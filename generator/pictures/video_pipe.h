@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+/// Pictures to a video by way of the program ffmpeg.
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <string>
+
+#include "pictures/picture.h"
+
+namespace girdle {
+
+/// Returns where PATH has ffmpeg, or an empty path.
+[[nodiscard]] std::filesystem::path FindFfmpeg();
+
+/// A running ffmpeg that takes frames and writes an MP4 file: H.264 where it has libx264, else
+/// MPEG-4, with colours as every player takes them (yuv420p, which needs an even width and height)
+/// and the index in front, so that a browser can play it while it loads. It is ended with this
+/// object.
+class VideoPipe {
+ public:
+  /// Starts ffmpeg, which writes to the open file `output` from its beginning; what is in it before
+  /// Finish is no video yet. Throws InputError if there is no ffmpeg, with what to install, if it
+  /// cannot encode MP4, or if the size is odd or the rate is not within the limits of
+  /// view.h.
+  VideoPipe(int output, const PictureSize& size, int frames_per_s);
+  VideoPipe(const VideoPipe&) = delete;
+  VideoPipe& operator=(const VideoPipe&) = delete;
+  ~VideoPipe();
+
+  /// Hands a frame on. Throws InputError with ffmpeg's own words if it has ended.
+  void Write(const Picture& frame);
+
+  /// Says that there are no more frames and waits for the file. Throws InputError with ffmpeg's own
+  /// words if it fails.
+  void Finish();
+
+ private:
+  /// Throws InputError with what it wrote, or else how it ended.
+  [[noreturn]] void Fail(int status);
+  /// Waits for its end and returns how it ended, as waitpid says.
+  int Wait() noexcept;
+
+  PictureSize size_;
+  int frames_ = -1;    ///< our end of ffmpeg's input
+  int messages_ = -1;  ///< file that it writes its errors to
+  pid_t child_ = -1;
+};
+
+}  // namespace girdle

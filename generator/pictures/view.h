@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+/// What a picture shows: from where, how large, and which layers of the body. Known without MuJoCo,
+/// so that the command line can read it.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace girdle {
+
+/// Width and height [pixels].
+struct PictureSize {
+  int width = 640;
+  int height = 480;
+
+  [[nodiscard]] bool operator==(const PictureSize&) const noexcept = default;
+};
+
+/// Smallest and largest width or height of a picture [pixels]. The largest is what every renderer
+/// of today takes, with four samples a pixel in a few hundred megabytes.
+inline constexpr int kSmallestPicture = 16;
+inline constexpr int kLargestPicture = 4096;
+
+/// Slowest and fastest video [frames/s].
+inline constexpr int kSlowestVideo_per_s = 1;
+inline constexpr int kFastestVideo_per_s = 240;
+
+/// Words for directions to look from: the person's own front and back, from above with the front
+/// up, and from above in front of the right arm (of the left one where there is no right one).
+inline constexpr std::array<std::string_view, 4> kCameraWords = {"front", "back", "above",
+                                                                 "oblique"};
+
+/// Which layers of a body are drawn.
+enum class Show {
+  kSkin,   ///< the skin, without what moves it
+  kBones,  ///< bones, without the skin
+  kBoth,   ///< bones in a translucent skin
+};
+/// Words for them, in the order of the enumerators.
+inline constexpr std::array<std::string_view, 3> kShowNames = {"skin", "bones", "both"};
+
+struct View {
+  /// A camera of the model, or a word of kCameraWords.
+  std::string camera = "oblique";
+  PictureSize size;
+  /// Nothing for the skin, or the bones of a model without one.
+  std::optional<Show> show = std::nullopt;
+};
+
+}  // namespace girdle
