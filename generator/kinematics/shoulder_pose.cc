@@ -3,6 +3,8 @@
 
 #include "kinematics/shoulder_pose.h"
 
+#include <glm/gtc/quaternion.hpp>
+
 #include "kinematics/euler_angles.h"
 
 namespace girdle {
@@ -42,6 +44,10 @@ JointAngles AnglesFromPose(const ShoulderPose& pose) noexcept {
           WithinHalfTurn(half_rad[0] + half_rad[1]),
           flexion_rad,
           axial_rad + kGhAxialMiddle_rad};
+}
+
+ShoulderPose FrozenGirdle(const ShoulderPose& pose, const ShoulderPose& at) noexcept {
+  return {at.q_TC, at.q_CS, glm::conjugate(at.q_TS()) * pose.q_TH()};
 }
 
 // As EulerFromQuaternion, the two half angles side by side.

@@ -87,6 +87,10 @@ inline constexpr double kGhAxialMiddle_rad = -kPi / 4;
 /// angle in (-5 pi/4, 3 pi/4].
 [[nodiscard]] JointAngles AnglesFromPose(const ShoulderPose& pose) noexcept;
 
+/// Returns the pose of an arm that turns in GH alone: the girdle as in `at`, the humerus in the
+/// thorax as in `pose`, q_SH = (q_TC q_CS)^-1 q_TH with q_TC, q_CS of `at` and q_TH of `pose`.
+[[nodiscard]] ShoulderPose FrozenGirdle(const ShoulderPose& pose, const ShoulderPose& at) noexcept;
+
 [[nodiscard]] ArmAngles ArmAnglesFromRotation(const Quaternion& q_TH) noexcept;
 
 }  // namespace girdle

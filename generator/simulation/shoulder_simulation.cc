@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/quaternion.hpp>
 #include <utility>
 
 #include "tables/input_error.h"
@@ -194,6 +195,15 @@ JointAngles StiffnessOf(const mjModel& model, const ShoulderElements& elements) 
   return stiffness_N_m_per_rad;
 }
 
+// Of thorax, clavicle, scapula and humerus in the world.
+ShoulderPose PoseOfBones(Side side, const std::array<Quaternion, kSegmentCount>& q_WB) {
+  const auto joint = [&](std::size_t child) {
+    const Quaternion q = glm::conjugate(q_WB[child - 1]) * q_WB[child];
+    return side == Side::kRight ? q : Mirrored(q);
+  };
+  return {joint(1), joint(2), joint(3)};
+}
+
 Vector3 OnSide(Side side, const mjtNum* p) {
   const Vector3 position{p[0], p[1], p[2]};
   return side == Side::kRight ? position : Mirrored(position);
@@ -220,6 +230,24 @@ std::vector<ShoulderElements> FindShoulders(const mjModel& model, const std::str
     shoulders.push_back(ElementFinder(model, model_name, Side::kRight).FindAll());
   }
   return shoulders;
+}
+
+std::optional<ShoulderPose> BindPose(const mjModel& model, const ShoulderElements& elements) {
+  if (model.nskin == 0) {
+    return std::nullopt;
+  }
+  const int* const first = model.skin_bonebodyid + model.skin_boneadr[0];
+  const int* const last = first + model.skin_bonenum[0];
+  std::array<Quaternion, kSegmentCount> q_WB{};
+  for (std::size_t i = 0; i < kSegmentCount; ++i) {
+    const int* const bone = std::find(first, last, elements.bodies[i]);
+    if (bone == last) {
+      return std::nullopt;
+    }
+    const float* const q = model.skin_bonebindquat + 4 * (bone - model.skin_bonebodyid);
+    q_WB[i] = glm::normalize(Quaternion(q[0], q[1], q[2], q[3]));
+  }
+  return PoseOfBones(elements.side, q_WB);
 }
 
 ShoulderState MirroredToRight(const ShoulderState& left) noexcept {
@@ -495,18 +523,47 @@ void ShoulderSimulation::Start(const ArmCommand& command) {
   SetCommand(command, {});
   mj_forward(model_.get(), data_.get());
   for (const ShoulderElements& elements : shoulders_) {
-    const JointAngles target_rad = TargetsOf(elements);
-    for (std::size_t k = 0; k < kCoordinateCount; ++k) {
-      data_->qpos[elements.qpos[k]] = target_rad[k];
-    }
-    if (elements.assembly == Assembly::kLoop) {
-      const Vector3 place_m = PlaceFor(elements, target_rad);
-      for (int i = 0; i < 3; ++i) {
-        data_->qpos[elements.place_qpos[static_cast<std::size_t>(i)]] = place_m[i];
-      }
-    }
+    PutAtAngles(elements, TargetsOf(elements));
   }
   EngineWatch::ExpectNoWarning(name_ + ": at " + NumberText(data_->time) + " s");
+}
+
+void ShoulderSimulation::PutAtAngles(const ShoulderElements& elements,
+                                     const JointAngles& angles_rad) {
+  for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+    data_->qpos[elements.qpos[k]] = angles_rad[k];
+  }
+  if (elements.assembly == Assembly::kLoop) {
+    const Vector3 place_m = PlaceFor(elements, angles_rad);
+    for (int i = 0; i < 3; ++i) {
+      data_->qpos[elements.place_qpos[static_cast<std::size_t>(i)]] = place_m[i];
+    }
+  }
+}
+
+void ShoulderSimulation::DerivePositions() {
+  mju_zero(data_->qvel, static_cast<int>(model_->nv));
+  mj_fwdPosition(model_.get(), data_.get());
+  EngineWatch::ExpectNoWarning(name_);
+}
+
+void ShoulderSimulation::PutAtKeyframe(int key) {
+  mj_resetDataKeyframe(model_.get(), data_.get(), key);
+  DerivePositions();
+}
+
+void ShoulderSimulation::PutAt(const ShoulderElements& elements, const ShoulderPose& pose) {
+  PutAtAngles(elements, DrivenAngles(elements.assembly, pose));
+  DerivePositions();
+}
+
+ShoulderPose ShoulderSimulation::PoseOf(const ShoulderElements& elements) const {
+  std::array<Quaternion, kSegmentCount> q_WB{};
+  for (std::size_t i = 0; i < kSegmentCount; ++i) {
+    const mjtNum* const q = data_->xquat + 4 * elements.bodies[i];
+    q_WB[i] = {q[0], q[1], q[2], q[3]};
+  }
+  return PoseOfBones(elements.side, q_WB);
 }
 
 ShoulderState ShoulderSimulation::Step(const ArmCommand& command, const CommandRate& rate) {

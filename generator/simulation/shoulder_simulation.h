@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -95,6 +96,11 @@ struct ShoulderState {
 /// world mirrored in x and z.
 [[nodiscard]] ShoulderState MirroredToRight(const ShoulderState& left) noexcept;
 
+/// Returns the pose in which a model's first skin is bound to a shoulder's four bones, as that of a
+/// right one; nothing if the model has no skin or the skin leaves one of them out.
+[[nodiscard]] std::optional<ShoulderPose> BindPose(const mjModel& model,
+                                                   const ShoulderElements& elements);
+
 /// A model with its plugin, or with position servos, ready to step. All its shoulders get the same
 /// command; the states are those of one of them. Throws InputError where MuJoCo warns.
 class ShoulderSimulation {
@@ -125,7 +131,19 @@ class ShoulderSimulation {
   /// rest.
   ShoulderState ObserveAtTargets(const ArmCommand& command);
 
+  /// Puts all joints where a keyframe of the model has them, at rest, and derives positions.
+  void PutAtKeyframe(int key);
+
+  /// Puts one shoulder's joints into a pose, at rest, and derives positions. In a loop the scapula
+  /// is where the clavicle takes it.
+  void PutAt(const ShoulderElements& elements, const ShoulderPose& pose);
+
+  /// Returns the pose of one shoulder, as that of a right one, where its bones are.
+  [[nodiscard]] ShoulderPose PoseOf(const ShoulderElements& elements) const;
+
   [[nodiscard]] const mjModel& model() const noexcept { return *model_; }
+  /// For MuJoCo's functions that draw, which do not take it as constant.
+  [[nodiscard]] mjData& data() noexcept { return *data_; }
   [[nodiscard]] const std::vector<ShoulderElements>& shoulders() const noexcept {
     return shoulders_;
   }
@@ -145,6 +163,8 @@ class ShoulderSimulation {
   void SetPluginCommand(const ShoulderElements& elements, const ArmCommand& command,
                         const CommandRate& rate);
   void SetServos(const ShoulderElements& elements);
+  void PutAtAngles(const ShoulderElements& elements, const JointAngles& angles_rad);
+  void DerivePositions();
   [[nodiscard]] JointAngles TargetsOf(const ShoulderElements& elements) const;
   [[nodiscard]] Vector3 PlaceFor(const ShoulderElements& elements,
                                  const JointAngles& target_rad) const;
