@@ -5,6 +5,7 @@
 /// it, so that the other verbs work where there is no MuJoCo.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
@@ -53,6 +54,14 @@ struct SimulationSummary {
   double worst_distance_deg = 0;  ///< farthest from measured data
 };
 
+/// How a girdle goes with its arm.
+enum class GirdleMotion {
+  kMeasured,
+  kFrozen,  ///< it stays, and the arm turns in GH alone
+};
+/// Words for them, in the order of the enumerators.
+inline constexpr std::array<std::string_view, 2> kGirdleMotionNames = {"measured", "frozen"};
+
 /// A model that is not ours, and where its arm is moved to [deg].
 struct MappedModel {
   std::string model;
@@ -76,10 +85,10 @@ struct SimulationModule {
                                 const MotionRequest& request, const RhythmOverride& rhythm,
                                 const TextSink& trace, const TextSink& controls,
                                 const ProgressSink& progress);
-  /// Holds the model's bones against `anatomy`.
+  /// Holds the model's bones against `anatomy`, and its skin as it is on a girdle that moves so.
   VerifyResult (*verify)(const std::string& model, const std::string& plugin,
-                         const RhythmOverride& rhythm, const Anatomy& anatomy, bool json,
-                         const ProgressSink& progress);
+                         const RhythmOverride& rhythm, const Anatomy& anatomy, GirdleMotion girdle,
+                         bool json, const ProgressSink& progress);
   /// Holds the girdle of any model against the measured rhythm, by default that of `girdle solve`.
   VerifyResult (*verify_mapped)(const MappedModel& mapped, const std::string& plugin,
                                 const RhythmOverride& rhythm, bool json,
