@@ -13,6 +13,7 @@
 #include "commands/progress.h"
 #include "commands/rhythm_arguments.h"
 #include "commands/simulation_module.h"
+#include "commands/word_argument.h"
 #include "tables/input_error.h"
 
 namespace girdle {
@@ -26,6 +27,7 @@ struct VerifyArguments {
   std::string mapping;
   std::string elevation;
   std::string plane;
+  std::string girdle;
   bool json = false;
 };
 
@@ -64,13 +66,20 @@ bool Verify(const VerifyArguments& arguments) {
         "--elevation and --plane are for models with --mapping; a model of Girdle is verified "
         "everywhere");
   }
+  if (!arguments.mapping.empty() && !arguments.girdle.empty()) {
+    throw InputError(
+        "--girdle is for the skin of a model of Girdle; with --mapping there is none. Leave it "
+        "away");
+  }
+  GirdleMotion girdle = GirdleMotion::kMeasured;
+  ChooseWord("--girdle", arguments.girdle, kGirdleMotionNames, girdle);
   const Anatomy anatomy = ChosenAnatomy(arguments.anatomy);
   TerminalProgress progress("verifying");
   const VerifyResult result =
       arguments.mapping.empty()
           ? LoadSimulation().verify(arguments.model, ChosenPlugin(arguments.plugin),
-                                    OverrideFrom(arguments.rhythm), anatomy, arguments.json,
-                                    std::ref(progress))
+                                    OverrideFrom(arguments.rhythm), anatomy, girdle,
+                                    arguments.json, std::ref(progress))
           : VerifyMapped(arguments, progress);
   progress.Clear();
   Print(result.report);
@@ -97,6 +106,10 @@ void AddVerifyCommand(CLI::App& program, int& status) {
           "--plane", arguments->plane,
           std::string("With --mapping: planes to survey [deg], by default ") + kDefaultPlane)
       ->type_name("FROM:TO:STEP");
+  verb->add_option("--girdle", arguments->girdle,
+                   "On which the skin of a model that has one is measured: measured, or frozen "
+                   "(where the skin was bound; the arm turns in GH alone), which has to fail")
+      ->type_name("WORD");
   AddRhythmArguments(*verb, arguments->rhythm);
   AddAnatomyArguments(*verb, arguments->anatomy);
   AddPluginArgument(*verb, arguments->plugin);
@@ -109,8 +122,9 @@ void AddVerifyCommand(CLI::App& program, int& status) {
       "clavicle and scapula\nare from the measured ones with the arm where it is.\n"
       "Its bones are held against the built-in anatomy, or the one that --anatomy, --thorax, "
       "--stature and so on say:\ngive those that it was generated with.\n"
-      "Exit status 1 if a residual is above its tolerance.\n"
+      "Exit status 1 if a residual is outside its tolerance.\n"
       "Examples:\n  girdle verify scene.xml\n"
+      "  girdle verify scene.xml --girdle frozen\n"
       "  girdle verify arm.xml --mapping data/mappings/myo_sim.csv");
   verb->callback([arguments, &status] { status = Verify(*arguments) ? 0 : 1; });
 }

@@ -10,6 +10,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <limits>
 
+#include "kinematics/one_sided_difference.h"
 #include "tables/number_text.h"
 
 namespace girdle {
@@ -18,9 +19,6 @@ namespace {
 using BoneRotations = std::array<Quaternion, kJointCount>;
 
 constexpr double kGrid_rad = kRadiansPerDegree;
-// Between the points of a one-sided difference: small enough for its formula's error, large enough
-// for rounding.
-constexpr double kDifference_rad = 0.02 * kRadiansPerDegree;
 
 BoneRotations JointsOf(const ShoulderPose& pose) { return {pose.q_TC, pose.q_CS, pose.q_SH}; }
 
@@ -34,22 +32,17 @@ struct Motion {
   Vector3 second;
 };
 
-// From the points 0, h .. 4h on one side (h may be negative), by the differences of fourth and
-// third order:
-//   f' h = -25/12 f0 + 4 f1 - 3 f2 + 4/3 f3 - 1/4 f4,
-//   f'' h^2 = 35/12 f0 - 26/3 f1 + 19/2 f2 - 14/3 f3 + 11/12 f4,  f0 = 0
+// From the points 0, h .. 4h on one side (h may be negative).
 std::array<Motion, kJointCount> OneSided(const std::function<BoneRotations(double)>& at, double h) {
   const BoneRotations origin = at(0);
   std::array<Motion, kJointCount> motions;
   motions.fill({{0, 0, 0}, {0, 0, 0}});
-  constexpr std::array<double, 4> kFirst = {4, -3, 4.0 / 3, -1.0 / 4};
-  constexpr std::array<double, 4> kSecond = {-26.0 / 3, 19.0 / 2, -14.0 / 3, 11.0 / 12};
-  for (std::size_t i = 0; i < kFirst.size(); ++i) {
+  for (std::size_t i = 0; i < kOneSidedFirst.size(); ++i) {
     const BoneRotations there = at(static_cast<double>(i + 1) * h);
     for (std::size_t joint = 0; joint < kJointCount; ++joint) {
       const Vector3 turn = Log(there[joint] * glm::conjugate(origin[joint]));
-      motions[joint].first += kFirst[i] / h * turn;
-      motions[joint].second += kSecond[i] / (h * h) * turn;
+      motions[joint].first += kOneSidedFirst[i] / h * turn;
+      motions[joint].second += kOneSidedSecond[i] / (h * h) * turn;
     }
   }
   return motions;
@@ -57,34 +50,18 @@ std::array<Motion, kJointCount> OneSided(const std::function<BoneRotations(doubl
 
 // The jump of each joint at a place, crossing it along a direction.
 std::array<JumpSummary, kJointCount> JumpsAt(const PoseFunction& pose, Direction direction,
-                                             double elevation_rad, double plane_rad) {
+                                             const ArmCommand& place) {
   const auto at = [&](double step_rad) {
-    const bool is_elevation = direction == Direction::kElevation;
-    return JointsOf(pose({elevation_rad + (is_elevation ? step_rad : 0),
-                          plane_rad + (is_elevation ? 0 : step_rad)}));
+    return JointsOf(pose(MovedAlong(direction, place, step_rad)));
   };
-  const auto before = OneSided(at, -kDifference_rad);
-  const auto after = OneSided(at, kDifference_rad);
+  const auto before = OneSided(at, -kOneSidedStep_rad);
+  const auto after = OneSided(at, kOneSidedStep_rad);
   std::array<JumpSummary, kJointCount> jumps;
   for (std::size_t joint = 0; joint < kJointCount; ++joint) {
     jumps[joint] = {glm::distance(before[joint].first, after[joint].first),
                     glm::distance(before[joint].second, after[joint].second) * kRadiansPerDegree};
   }
   return jumps;
-}
-
-// From one end to the other in even steps of about a degree.
-std::vector<double> EvenSteps(double from, double to) {
-  const int count = std::max(1, static_cast<int>(std::lround((to - from) / kGrid_rad)));
-  std::vector<double> values;
-  for (int i = 0; i <= count; ++i) {
-    values.push_back(from + (to - from) * i / count);
-  }
-  return values;
-}
-
-std::vector<double> InnerOf(const std::vector<double>& knots) {
-  return {knots.begin() + 1, knots.end() - 1};
 }
 
 std::string PlaceText(double elevation_rad, double plane_rad) {
@@ -123,16 +100,19 @@ class JumpMeter {
              const std::vector<double>& along) {
     for (const double line : lines) {
       for (const double place : along) {
-        const double elevation_rad = direction == Direction::kElevation ? line : place;
-        const double plane_rad = direction == Direction::kElevation ? place : line;
-        const auto jumps = JumpsAt(pose_, direction, elevation_rad, plane_rad);
-        for (std::size_t joint = 0; joint < kJointCount; ++joint) {
-          joints_[joint].first = std::max(joints_[joint].first, jumps[joint].first);
-          joints_[joint].second = std::max(joints_[joint].second, jumps[joint].second);
-          first_.Add(jumps[joint].first, elevation_rad, plane_rad);
-          second_.Add(jumps[joint].second, elevation_rad, plane_rad);
-        }
+        CrossAt(direction, direction == Direction::kElevation ? ArmCommand{line, place}
+                                                              : ArmCommand{place, line});
       }
+    }
+  }
+
+  void CrossAt(Direction direction, const ArmCommand& place) {
+    const auto jumps = JumpsAt(pose_, direction, place);
+    for (std::size_t joint = 0; joint < kJointCount; ++joint) {
+      joints_[joint].first = std::max(joints_[joint].first, jumps[joint].first);
+      joints_[joint].second = std::max(joints_[joint].second, jumps[joint].second);
+      first_.Add(jumps[joint].first, place.elevation_rad, place.plane_rad);
+      second_.Add(jumps[joint].second, place.elevation_rad, place.plane_rad);
     }
   }
 
@@ -147,16 +127,11 @@ class JumpMeter {
   Largest second_;
 };
 
-// Within the table, half a degree from its borders: differences need room.
 JumpMeter InsideJumps(const RhythmTable& table, const PoseFunction& pose, Direction direction) {
-  constexpr double kRoom_rad = 0.5 * kRadiansPerDegree;
-  const auto& lines =
-      direction == Direction::kElevation ? table.elevations_rad() : table.planes_rad();
-  const auto& along =
-      direction == Direction::kElevation ? table.planes_rad() : table.elevations_rad();
   JumpMeter meter(pose);
-  meter.Cross(direction, InnerOf(lines),
-              EvenSteps(along.front() + kRoom_rad, along.back() - kRoom_rad));
+  for (const ArmCommand& place : KnotCrossings(table, direction)) {
+    meter.CrossAt(direction, place);
+  }
   return meter;
 }
 
@@ -310,11 +285,11 @@ class Checker {
       return BonesOf(pose_({elevation_rad, plane_rad + step_rad}));
     };
     constexpr double kLow_rad = 15 * kRadiansPerDegree;
-    for (const Motion& bone : OneSided(along_elevation, up * kDifference_rad)) {
+    for (const Motion& bone : OneSided(along_elevation, up * kOneSidedStep_rad)) {
       (is_whole_ && elevation_rad < kLow_rad ? fastest_low_ : fastest_)
           .Add(glm::length(bone.first), elevation_rad, plane_rad);
     }
-    for (const Motion& bone : OneSided(along_plane, across * kDifference_rad)) {
+    for (const Motion& bone : OneSided(along_plane, across * kOneSidedStep_rad)) {
       fastest_plane_.Add(glm::length(bone.first), elevation_rad, plane_rad);
     }
   }

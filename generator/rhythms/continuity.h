@@ -9,16 +9,12 @@
 #include <array>
 #include <functional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "kinematics/shoulder_rhythm.h"
+#include "rhythms/knot_crossings.h"
 
 namespace girdle {
-
-/// What a line is crossed along.
-enum class Direction { kElevation, kPlane };
-inline constexpr std::array<std::string_view, 2> kDirectionNames = {"elevation", "plane"};
 
 /// Largest change of a joint's angular velocity over some lines, and of what that changes by.
 struct JumpSummary {

@@ -311,16 +311,17 @@ std::string RhythmText(const RhythmOptions& options, const std::string& table) {
 }
 
 VerifyResult Verify(const std::string& model_path, const std::string& plugin,
-                    const RhythmOverride& override, const Anatomy& anatomy, bool json,
-                    const ProgressSink& progress) {
+                    const RhythmOverride& override, const Anatomy& anatomy, GirdleMotion girdle,
+                    bool json, const ProgressSink& progress) {
   const EngineWatch watch;
   LoadPlugin(plugin);
   ShoulderSimulation simulation(LoadModel(model_path), model_path);
   const AssembledRhythm rhythm = AssembledOf(simulation, RhythmOf(simulation, override));
   simulation.Follow(rhythm);
-  ResidualReport report = MeasureResiduals(simulation, rhythm, anatomy, progress);
+  ResidualReport report = MeasureResiduals(simulation, rhythm, anatomy, progress, girdle);
   report.rhythm = RhythmText(rhythm.rhythm().options(), TableName(simulation, override));
-  report.kind = KindOf(simulation);
+  report.kind =
+      KindOf(simulation) + (girdle == GirdleMotion::kFrozen ? ", skin of a frozen girdle" : "");
   return {json ? ReportAsJson(report) : ReportAsText(report), report.passed()};
 }
 

@@ -118,10 +118,10 @@ struct SimulationModule {
   std::string (*describe_renderer)();
   /// Returns where the ffmpeg is that makes videos; empty if there is none.
   std::string (*find_ffmpeg)();
-  /// Holds the model's bones against `anatomy`.
+  /// Holds the model's bones against `anatomy`, and its skin as it is on a girdle that moves so.
   VerifyResult (*verify)(const std::string& model, const std::string& plugin,
-                         const RhythmOverride& rhythm, const Anatomy& anatomy, bool json,
-                         const ProgressSink& progress);
+                         const RhythmOverride& rhythm, const Anatomy& anatomy, GirdleMotion girdle,
+                         bool json, const ProgressSink& progress);
   /// Holds the girdle of any model against the measured rhythm, by default that of `girdle solve`.
   VerifyResult (*verify_mapped)(const MappedModel& mapped, const std::string& plugin,
                                 const RhythmOverride& rhythm, bool json,

@@ -21,13 +21,19 @@ constexpr std::array<bool, kColumns> kRightAligned = {false, false, true, true,
 
 constexpr int kDigits = 3;
 
+std::string ToleranceText(const Residual& residual) {
+  return residual.tolerance ? (residual.bound == Bound::kMoreThan ? "> " : "") +
+                                  SignificantText(*residual.tolerance, kDigits)
+                            : "-";
+}
+
 }  // namespace
 
 std::string ReportAsText(const ResidualReport& report) {
   std::vector<Row> rows = {{"residual", "of", "value", "tolerance", "unit", "result", "where"}};
   for (const Residual& residual : report.residuals) {
     rows.push_back({residual.group, residual.item, SignificantText(residual.value, kDigits),
-                    residual.tolerance ? SignificantText(*residual.tolerance, kDigits) : "-",
+                    ToleranceText(residual),
                     residual.unit,
                     !residual.tolerance ? "stated"
                     : residual.passed() ? "pass"
@@ -63,7 +69,7 @@ std::string ReportAsText(const ResidualReport& report) {
                              "generated with\n"
                            : "") +
          (failed == 0 ? "all residuals within their tolerances"
-                      : std::to_string(failed) + " residuals above their tolerances") +
+                      : std::to_string(failed) + " residuals outside their tolerances") +
          "\n";
 }
 
@@ -82,6 +88,7 @@ std::string ReportAsJson(const ResidualReport& report) {
     line["value"] = residual.value;
     line["unit"] = residual.unit;
     line["tolerance"] = residual.tolerance ? nlohmann::ordered_json(*residual.tolerance) : nullptr;
+    line["bound"] = kBoundNames[static_cast<std::size_t>(residual.bound)];
     line["passed"] = residual.passed();
     line["where"] = residual.where;
     json["residuals"].push_back(line);

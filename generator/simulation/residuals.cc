@@ -8,13 +8,17 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
-#include <limits>
+#include <iterator>
 #include <string_view>
+#include <utility>
 
 #include "kinematics/isb_frames.h"
+#include "simulation/extreme.h"
 #include "simulation/motion.h"
+#include "simulation/skin_residuals.h"
 #include "tables/built_in.h"
 #include "tables/ellipsoid.h"
+#include "tables/input_error.h"
 #include "tables/number_text.h"
 #include "tables/posed_bones.h"
 
@@ -72,6 +76,8 @@ constexpr double kDeepContact_m = 0.001;
 // Duration of a standard motion and of the rest after it.
 constexpr double kMoving_s = 3;
 constexpr double kSettling_s = 4;
+// Of a skin that moves, every so many steps: what MuJoCo makes of it depends on the pose alone.
+constexpr int kSkinSteps = 50;
 // Share of the rest at its end that counts as settled.
 constexpr double kSettledShare = 0.25;
 // Below this elevation the plane of the arm is ill determined: the table's own misses it by up to
@@ -83,52 +89,6 @@ constexpr double kPlaneless_rad = 1e-6;
 constexpr double kRaised_rad = 150 * kRadiansPerDegree;
 // Of the grid on which closure is looked at, beside the motions.
 constexpr double kGridStep_rad = 10 * kRadiansPerDegree;
-
-// Text for the place of a worst case, made only when it is needed.
-std::string PlaceOf(std::string_view motion, const ArmCommand& command) {
-  const auto degrees = [](double angle_rad) {
-    return RoundedText(DegreesFromRadians(angle_rad), 1);
-  };
-  return std::string(motion) + ", elevation " + degrees(command.elevation_rad) + ", plane " +
-         degrees(command.plane_rad);
-}
-
-// Largest magnitude and root mean square of a quantity over poses.
-class Extreme {
- public:
-  void Add(double value, std::string_view motion, const ArmCommand& command) {
-    const double magnitude = std::abs(value);
-    square_sum_ += value * value;
-    ++count_;
-    // A NaN becomes the worst and stays it.
-    if (count_ == 1 || magnitude > worst_ || (std::isnan(magnitude) && !std::isnan(worst_))) {
-      worst_ = magnitude;
-      motion_ = motion;
-      command_ = command;
-    }
-  }
-
-  [[nodiscard]] bool empty() const { return count_ == 0; }
-
-  [[nodiscard]] Residual Worst(std::string group, std::string item, std::string unit,
-                               std::optional<double> tolerance) const {
-    return {std::move(group), std::move(item), worst_,
-            std::move(unit),  tolerance,       PlaceOf(motion_, command_)};
-  }
-  [[nodiscard]] Residual RootMeanSquare(std::string group, std::string item, std::string unit,
-                                        std::optional<double> tolerance) const {
-    return {std::move(group), std::move(item), std::sqrt(square_sum_ / static_cast<double>(count_)),
-            std::move(unit),  tolerance,       std::to_string(count_) + " values"};
-  }
-
- private:
-  // What was never measured does not pass.
-  double worst_ = std::numeric_limits<double>::quiet_NaN();
-  double square_sum_ = 0;
-  std::size_t count_ = 0;
-  std::string motion_;
-  ArmCommand command_;
-};
 
 using JointExtremes = std::array<Extreme, kJointCount>;
 
@@ -160,12 +120,16 @@ ArmAngles ArmFromLandmarks(const ShoulderState& state) {
 class ResidualMeter {
  public:
   ResidualMeter(ShoulderSimulation& simulation, const AssembledRhythm& rhythm,
-                const Anatomy& anatomy)
+                const Anatomy& anatomy, GirdleMotion girdle)
       : simulation_(simulation),
         assembled_(rhythm),
         rhythm_(rhythm.rhythm()),
         is_loop_(rhythm.assembly() == Assembly::kLoop),
-        anatomy_(anatomy) {}
+        anatomy_(anatomy) {
+    if (HasSkin(simulation.model())) {
+      skin_.emplace(simulation, rhythm, anatomy, girdle);
+    }
+  }
 
   void RunMotion(const Motion& motion, const ProgressSink& progress) {
     const double timestep_s = simulation_.timestep_s();
@@ -190,6 +154,9 @@ class ResidualMeter {
       }
       AddTracking(state, motion.name, step < moving_steps ? moving_ : settled_,
                   step < moving_steps || step >= settled_from);
+      if (skin_ && step % kSkinSteps == 0) {
+        skin_->CompareBlend(motion.name, state.command);
+      }
       progress(static_cast<double>(step) / (moving_steps + settling_steps));
     }
     // The same poses without dynamics, a degree apart or less.
@@ -319,7 +286,8 @@ class ResidualMeter {
     }
   }
 
-  [[nodiscard]] std::vector<Residual> Report() const {
+  // Moves the simulation once more, for the skin.
+  [[nodiscard]] std::vector<Residual> Report() {
     std::vector<Residual> lines;
     const auto add_joints = [&lines](const char* group, const JointExtremes& extremes,
                                      const char* unit, double tolerance) {
@@ -419,6 +387,10 @@ class ResidualMeter {
     }
     AddThoraxContactLines(lines);
     AddLigamentLines(lines);
+    if (skin_) {
+      std::vector<Residual> on_skin = skin_->Measure();
+      std::move(on_skin.begin(), on_skin.end(), std::back_inserter(lines));
+    }
     return lines;
   }
 
@@ -768,6 +740,7 @@ class ResidualMeter {
   const ShoulderRhythm& rhythm_;
   bool is_loop_;
   const Anatomy& anatomy_;
+  std::optional<SkinMeter> skin_;  ///< of a model that has one
   JointExtremes gaps_;
   ConnectExtremes connect_at_rest_;
   ConnectExtremes connect_posed_;
@@ -849,8 +822,9 @@ std::vector<Motion> Cycles(const RhythmTable& table) {
 }
 
 std::vector<Residual> MeasureShoulder(ShoulderSimulation& simulation, const AssembledRhythm& rhythm,
-                                      const Anatomy& anatomy, const ProgressSink& progress) {
-  ResidualMeter meter(simulation, rhythm, anatomy);
+                                      const Anatomy& anatomy, GirdleMotion girdle,
+                                      const ProgressSink& progress) {
+  ResidualMeter meter(simulation, rhythm, anatomy, girdle);
   const std::vector<Motion> motions = StandardMotions(rhythm.rhythm().domain());
   for (std::size_t i = 0; i < motions.size(); ++i) {
     const double share = 1.0 / static_cast<double>(motions.size());
@@ -876,14 +850,20 @@ bool ResidualReport::passed() const noexcept {
 }
 
 ResidualReport MeasureResiduals(ShoulderSimulation& simulation, const AssembledRhythm& rhythm,
-                                const Anatomy& anatomy, const ProgressSink& progress) {
+                                const Anatomy& anatomy, const ProgressSink& progress,
+                                GirdleMotion girdle) {
+  if (girdle == GirdleMotion::kFrozen && !HasSkin(simulation.model())) {
+    throw InputError(simulation.name() +
+                     ": has no skin, on which alone a frozen girdle is measured. Make a model that "
+                     "has one with girdle generate --skin");
+  }
   ResidualReport report{simulation.name(), "", "", mj_versionString(), {}};
   const std::size_t sides = simulation.shoulders().size();
   for (std::size_t i = 0; i < sides; ++i) {
     const Side side = simulation.shoulders()[i].side;
     simulation.Watch(side);
     std::vector<Residual> lines =
-        MeasureShoulder(simulation, rhythm, anatomy, [&progress, i, sides](double done) {
+        MeasureShoulder(simulation, rhythm, anatomy, girdle, [&progress, i, sides](double done) {
           progress((static_cast<double>(i) + done) / static_cast<double>(sides));
         });
     for (Residual& line : lines) {

@@ -129,7 +129,7 @@ def test_the_text_of_a_model_that_fails_says_where(girdle: Girdle, write_model: 
     assert (finished.code, finished.message) == (ABOVE_TOLERANCE, "")
     found = re.findall(r"^(\S.*?)  +(\S.*?)  .* FAIL ", finished.text, re.MULTILINE)
     assert set(found) == report.failed
-    assert finished.text.endswith(f"\n{len(found)} residuals above their tolerances\n")
+    assert finished.text.endswith(f"\n{len(found)} residuals outside their tolerances\n")
 
 
 def test_two_runs_give_the_same_bytes(girdle_fine: Girdle, generated: Path) -> None:

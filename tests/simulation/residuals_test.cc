@@ -38,7 +38,7 @@ TEST(ResidualReport, SaysWhatFailed) {
   const std::string text = ReportAsText(report);
   EXPECT_NE(text.find("FAIL"), std::string::npos) << text;
   EXPECT_NE(text.find("stated"), std::string::npos) << text;
-  EXPECT_NE(text.find("1 residuals above their tolerances"), std::string::npos) << text;
+  EXPECT_NE(text.find("1 residuals outside their tolerances"), std::string::npos) << text;
 }
 
 class MeasureResidualsTest : public EngineTest {
