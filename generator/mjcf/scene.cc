@@ -112,6 +112,12 @@ std::string SceneXml(const std::string& model_file, const Anatomy& anatomy, Side
       .Set("pos", Vector3{1.5, -1.0, 3.0})
       .Set("dir", Vector3{-0.5, 0.3, -0.8})
       .Set("diffuse", std::array{0.5, 0.5, 0.5});
+  // Fills the back in, where the scapula is.
+  world.Add("light")
+      .Set("pos", Vector3{-1.5, 1.2, 2.6})
+      .Set("dir", Vector3{0.6, -0.5, -0.6})
+      .Set("diffuse", std::array{0.35, 0.35, 0.35})
+      .Set("castshadow", "false");
   world.Add("geom")
       .Set("name", "floor")
       .Set("type", "plane")

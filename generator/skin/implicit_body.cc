@@ -58,7 +58,7 @@ constexpr Muscle kMuscles[] = {
     // Latissimus and the wall of the chest under the axilla.
     {{kT, {-102, -300, 86}, 34}, {kT, {-98, -160, 116}, 37}},
     {{kT, {-98, -160, 116}, 37}, {kH, {2, -58, -8}, 15}},
-    {{kT, {-126, -104, 124}, 31}, {kT, {-116, -190, 116}, 32}},
+    {{kT, {-126, -104, 125}, 32}, {kT, {-116, -190, 116}, 33}},
     {{kT, {-86, -110, 106}, 34}, {kH, {4, -50, -10}, 18}},
     // Pectoralis: three strands from the sternum, and from the clavicle.
     {{kT, {4, -22, 24}, 14}, {kH, {14, -72, 0}, 15}},
