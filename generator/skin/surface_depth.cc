@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "skin/surface_depth.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace girdle {
+namespace {
+
+double DistanceFromSegment_m(const Vector3& point, const Vector3& a, const Vector3& b) {
+  const Vector3 along = b - a;
+  const double length_squared = glm::dot(along, along);
+  const double t =
+      length_squared > 0 ? std::clamp(glm::dot(point - a, along) / length_squared, 0.0, 1.0) : 0.0;
+  return glm::length(point - (a + t * along));
+}
+
+// The nearest point lies within the triangle where the point's foot does, else on an edge.
+double DistanceFromTriangle_m(const Vector3& point, const Vector3& a, const Vector3& b,
+                              const Vector3& c) {
+  const Vector3 normal = glm::cross(b - a, c - a);
+  const double length = glm::length(normal);
+  const auto is_left_of = [&](const Vector3& from, const Vector3& to) {
+    return glm::dot(glm::cross(to - from, point - from), normal) >= 0;
+  };
+  if (length > 0 && is_left_of(a, b) && is_left_of(b, c) && is_left_of(c, a)) {
+    return std::abs(glm::dot(point - a, normal)) / length;
+  }
+  return std::min({DistanceFromSegment_m(point, a, b), DistanceFromSegment_m(point, b, c),
+                   DistanceFromSegment_m(point, c, a)});
+}
+
+// Half the solid angle of a triangle seen from the origin (van Oosterom and Strackee 1983):
+// tan(Omega / 2) = a . (b x c) / (|a| |b| |c| + (a . b) |c| + (b . c) |a| + (c . a) |b|).
+double HalfSolidAngle(const Vector3& a, const Vector3& b, const Vector3& c) {
+  const double a_m = glm::length(a);
+  const double b_m = glm::length(b);
+  const double c_m = glm::length(c);
+  return std::atan2(glm::dot(a, glm::cross(b, c)), a_m * b_m * c_m + glm::dot(a, b) * c_m +
+                                                       glm::dot(b, c) * a_m + glm::dot(c, a) * b_m);
+}
+
+}  // namespace
+
+SurfaceDepth::SurfaceDepth(TriangleMesh surface) : surface_(std::move(surface)) {
+  if (surface_.triangles.empty()) {
+    throw std::invalid_argument("a surface without triangles has no inside");
+  }
+  const auto count = static_cast<int>(surface_.vertices_m.size());
+  balls_.reserve(surface_.triangles.size());
+  for (const Triangle& triangle : surface_.triangles) {
+    for (const int vertex : triangle) {
+      if (vertex < 0 || vertex >= count) {
+        throw std::invalid_argument("triangle " + std::to_string(balls_.size()) + " has vertex " +
+                                    std::to_string(vertex) + ", of " + std::to_string(count));
+      }
+    }
+    Ball ball{(At(triangle, 0) + At(triangle, 1) + At(triangle, 2)) / 3.0, 0};
+    for (std::size_t corner = 0; corner < triangle.size(); ++corner) {
+      ball.radius_m = std::max(ball.radius_m, glm::length(At(triangle, corner) - ball.center_m));
+    }
+    balls_.push_back(ball);
+  }
+}
+
+double SurfaceDepth::Depth_m(const Vector3& point_m) const noexcept {
+  const double distance_m = Distance_m(point_m);
+  return WindingNumber(point_m) > 0.5 ? distance_m : -distance_m;
+}
+
+double SurfaceDepth::WindingNumber(const Vector3& point_m) const noexcept {
+  double half_angles = 0;
+  for (const Triangle& triangle : surface_.triangles) {
+    half_angles += HalfSolidAngle(At(triangle, 0) - point_m, At(triangle, 1) - point_m,
+                                  At(triangle, 2) - point_m);
+  }
+  return half_angles / (2 * kPi);
+}
+
+double SurfaceDepth::Distance_m(const Vector3& point_m) const noexcept {
+  double nearest_m = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < balls_.size(); ++i) {
+    const Vector3 to_center = balls_[i].center_m - point_m;
+    const double reach_m = nearest_m + balls_[i].radius_m;
+    if (glm::dot(to_center, to_center) > reach_m * reach_m) {
+      continue;
+    }
+    const Triangle& triangle = surface_.triangles[i];
+    nearest_m = std::min(nearest_m, DistanceFromTriangle_m(point_m, At(triangle, 0),
+                                                           At(triangle, 1), At(triangle, 2)));
+  }
+  return nearest_m;
+}
+
+}  // namespace girdle
