@@ -23,10 +23,10 @@ double SignedDistance_m(const RoundCone& cone, const Vector3& point_m) noexcept 
   }
   const double along_m = glm::dot(p, axis) / length_m;
   const double across_m = std::sqrt(std::max(glm::dot(p, p) - along_m * along_m, 0.0));
-  // The mantle leans by this sine; the nearest point on the axis is found against the lean.
+  // The mantle leans by this sine: the ball that is nearest lies on the thick side of the foot.
   const double sine = taper_m / length_m;
   const double cosine = std::sqrt(1 - sine * sine);
-  const double foot_m = std::clamp(along_m + across_m * sine / cosine, 0.0, length_m);
+  const double foot_m = std::clamp(along_m - across_m * sine / cosine, 0.0, length_m);
   const double radius_m = cone.from_radius_m - taper_m * foot_m / length_m;
   return std::hypot(along_m - foot_m, across_m) - radius_m;
 }
