@@ -344,8 +344,8 @@ std::unique_ptr<GlLibrary> OpenLibrary() {
 
 // The one of this process, and its displays, until the end.
 GlLibrary& Library() {
-  static GlLibrary* const library = OpenLibrary().release();
-  return *library;
+  static GlLibrary* const kLibrary = OpenLibrary().release();
+  return *kLibrary;
 }
 
 }  // namespace

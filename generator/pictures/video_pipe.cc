@@ -168,7 +168,7 @@ std::filesystem::path FindFfmpeg() {
   std::string folders = path == nullptr ? "" : path;
   while (!folders.empty()) {
     const std::size_t end = std::min(folders.find(':'), folders.size());
-    const std::filesystem::path file = std::filesystem::path(folders.substr(0, end)) / "ffmpeg";
+    std::filesystem::path file = std::filesystem::path(folders.substr(0, end)) / "ffmpeg";
     folders.erase(0, end + 1);
     std::error_code error;
     if (file.is_absolute() && std::filesystem::is_regular_file(file, error) &&
@@ -250,7 +250,7 @@ VideoPipe::~VideoPipe() {
 
 int VideoPipe::Wait() noexcept { return WaitFor(std::exchange(child_, -1)); }
 
-void VideoPipe::Fail(int status) {
+void VideoPipe::Fail(int status) const {
   const std::string words = LastWords(ContentOf(messages_));
   throw InputError("ffmpeg cannot make the video: " + (words.empty() ? HowItEnded(status) : words) +
                    ". See whether there is room on the disk, or install another one: apt-get "

@@ -40,7 +40,7 @@ class VideoPipe {
 
  private:
   /// Throws InputError with what it wrote, or else how it ended.
-  [[noreturn]] void Fail(int status);
+  [[noreturn]] void Fail(int status) const;
   /// Waits for its end and returns how it ended, as waitpid says.
   int Wait() noexcept;
 

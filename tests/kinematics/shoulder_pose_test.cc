@@ -120,6 +120,15 @@ TEST_P(AxialAngle, OfGhIsGivenAroundItsMiddle) {
 INSTANTIATE_TEST_SUITE_P(Angles, AxialAngle,
                          testing::Values(-224.9, -190.0, -180.0, -179.9, -45.0, 0.0, 60.0, 134.9));
 
+RC_GTEST_PROP(FrozenGirdle, KeepsTheOtherGirdleAndTheArmWhereItPoints, ()) {
+  const ShoulderPose pose = PoseFromAngles(*AnyJointAngles());
+  const ShoulderPose at = PoseFromAngles(*AnyJointAngles());
+  const ShoulderPose frozen = FrozenGirdle(pose, at);
+  RC_ASSERT(frozen.q_TC == at.q_TC);
+  RC_ASSERT(frozen.q_CS == at.q_CS);
+  RC_ASSERT(AngleBetween(frozen.q_TH(), pose.q_TH()) < kAngleRounding_rad);
+}
+
 RC_GTEST_PROP(ArmAngles, OfARaisedArmAreThoseThatRaisedIt, ()) {
   // The plane of an arm this close to vertical is worth 1e-16 / 0.01.
   constexpr double kMargin_rad = 0.01;

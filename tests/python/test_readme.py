@@ -116,6 +116,7 @@ def test_the_readme_shows_every_verb() -> None:
         "solve",
         "generate",
         "simulate",
+        "render",
         "verify",
         "destep",
         "thorax",
