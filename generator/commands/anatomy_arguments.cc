@@ -57,6 +57,15 @@ Anatomy AnatomyOf(const std::string& file, const BodySize& size) {
   return size.body_mass_kg ? WithBodyMass(anatomy, adult, *size.body_mass_kg) : anatomy;
 }
 
+void FitGlidingOrSay(Anatomy& anatomy) {
+  try {
+    FitGliding(anatomy);
+  } catch (const std::invalid_argument& error) {
+    throw InputError("this anatomy's scapula does not glide on a thorax: " +
+                     std::string(error.what()) + ". Give one with --thorax FILE");
+  }
+}
+
 // The ellipsoids of a file, or one fitted to bones of other proportions.
 void ChooseThorax(const AnatomyArguments& arguments, Anatomy& anatomy) {
   if (!anatomy.has_adult_proportions) {
@@ -67,12 +76,7 @@ void ChooseThorax(const AnatomyArguments& arguments, Anatomy& anatomy) {
     ReadThoraxEllipsoids(in, arguments.thorax, anatomy);
     anatomy.has_adult_proportions = false;
   } else if (!anatomy.has_adult_proportions) {
-    try {
-      FitGliding(anatomy);
-    } catch (const std::invalid_argument& error) {
-      throw InputError("this anatomy's scapula does not glide on a thorax: " +
-                       std::string(error.what()) + ". Give one with --thorax FILE");
-    }
+    FitGlidingOrSay(anatomy);
   }
 }
 
@@ -100,6 +104,11 @@ Anatomy ChosenAnatomy(const AnatomyArguments& arguments) {
                                            : AnatomyOf(arguments.file, size);
   ChooseThorax(arguments, anatomy);
   return anatomy;
+}
+
+void FitTissues(Anatomy& anatomy) {
+  FitLigaments(anatomy);
+  FitGlidingOrSay(anatomy);
 }
 
 bool IsAnatomyChosen(const AnatomyArguments& arguments) noexcept {

@@ -29,6 +29,11 @@ void AddAnatomyArguments(CLI::App& verb, AnatomyArguments& arguments);
 /// not of a right shoulder, a measure that nobody has, and a length beside a file of landmarks.
 [[nodiscard]] Anatomy ChosenAnatomy(const AnatomyArguments& arguments);
 
+/// Gives bones of other proportions the ligaments and the gliding ellipsoid that belong to them
+/// under the built-in rhythm. Throws InputError
+/// if the scapula glides on no ellipsoid.
+void FitTissues(Anatomy& anatomy);
+
 /// Returns whether any of the options was given.
 [[nodiscard]] bool IsAnatomyChosen(const AnatomyArguments& arguments) noexcept;
 

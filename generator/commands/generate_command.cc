@@ -33,7 +33,7 @@ struct GenerateArguments {
   std::string lead;
   std::string actuation;
   AnatomyArguments anatomy;
-  SkinArgument skin;
+  SkinArguments skin;
   std::string out;
   bool offsets = false;
   bool rates = false;
@@ -94,22 +94,33 @@ struct FileNames {
   std::string model;
   std::string scene;
   std::string skin;
+  std::string landmarks;
 };
 FileNames NamesFor(const ShoulderModelOptions& options) {
   const std::string side(kSidesNames[static_cast<std::size_t>(options.sides)]);
   const std::string servos = options.actuation == Actuation::kPosition ? "_position" : "";
   return {"shoulder_" + side + servos + ".xml",
           "scene" + (options.sides == Sides::kRight ? "" : "_" + side) + servos + ".xml",
-          "skin_" + side + ".skn"};
+          "skin_" + side + ".skn", "landmarks_" + side + ".csv"};
+}
+
+// The landmarks of a body that brought its own bones, for whoever wants to verify the model.
+std::string LandmarkFile(const GenerateArguments& arguments, const Anatomy& anatomy) {
+  return LandmarksToCsv(
+      anatomy, {"# Landmarks of the shoulder fitted to the skin " + arguments.skin.skin +
+                    ", as girdle generate wrote them beside its model.",
+                "# Units: meters. Each landmark is given in the ISB frame of its own segment."});
 }
 
 void Generate(const GenerateArguments& arguments) {
   ShoulderModelOptions options = ModelOptions(arguments);
   const FileNames names = NamesFor(options);
-  const Anatomy anatomy = ChosenAnatomy(arguments.anatomy);
-  const std::optional<MadeSkin> skin =
-      ChosenSkin(arguments.skin, anatomy, SidesOf(options.sides), names.skin);
-  if (skin) {
+  const std::vector<Side> sides = SidesOf(options.sides);
+  const std::optional<ChosenBody> body = BodyFor(arguments.skin, arguments.anatomy, sides);
+  const Anatomy anatomy = body ? body->body.anatomy : ChosenAnatomy(arguments.anatomy);
+  std::optional<MadeSkin> skin;
+  if (body) {
+    skin = SkinOf(*body, sides, names.skin);
     options.skin = skin->element;
   }
   std::vector<std::pair<std::string, std::string>> files = {
@@ -117,6 +128,10 @@ void Generate(const GenerateArguments& arguments) {
       {names.model, ModelXml(arguments, anatomy, options)}};
   if (skin) {
     files.emplace_back(names.skin, skin->bytes);
+  }
+  const bool has_own_bones = body && body->has_own_bones;
+  if (has_own_bones) {
+    files.emplace_back(names.landmarks, LandmarkFile(arguments, anatomy));
   }
   // What MuJoCo does not accept is not a model and is not written.
   const std::string checked =
@@ -126,14 +141,20 @@ void Generate(const GenerateArguments& arguments) {
   WriteFiles(folder, files);
   const std::string model = (folder / names.model).string();
   const std::string scene = (folder / names.scene).string();
+  const std::string landmarks = (folder / names.landmarks).string();
   if (arguments.json) {
     nlohmann::ordered_json json;
     json["model"] = model;
     json["scene"] = scene;
+    if (has_own_bones) json["landmarks"] = landmarks;
     json["checked"] = checked;
     Print(json.dump(2) + "\n");
   } else {
     Print("model  " + model + "\nscene  " + scene + "\ncheck  " + checked + "\n");
+    if (has_own_bones) {
+      Print("bones  those of the skin. To verify: girdle verify " + scene + " --anatomy " +
+            landmarks + "\n");
+    }
   }
 }
 
@@ -160,7 +181,7 @@ void AddGenerateCommand(CLI::App& program) {
       ->type_name("WORD");
   AddRhythmArguments(*verb, arguments->rhythm);
   AddAnatomyArguments(*verb, arguments->anatomy);
-  AddSkinArgument(*verb, arguments->skin);
+  AddSkinArguments(*verb, arguments->skin);
   verb->add_flag("--offsets", arguments->offsets,
                  "With commands for shrug and protraction on top of the rhythm");
   verb->add_flag("--rates", arguments->rates,

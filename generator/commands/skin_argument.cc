@@ -3,36 +3,139 @@
 
 #include "commands/skin_argument.h"
 
-#include "skin/bone_heat.h"
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "commands/word_argument.h"
 #include "skin/bound_skin.h"
+#include "skin/fitted_body.h"
 #include "skin/implicit_body.h"
+#include "skin/makehuman_body.h"
+#include "skin/person_body.h"
 #include "skin/skin_landmarks.h"
 #include "skin/skn_file.h"
+#include "skin/weight_blend.h"
+#include "tables/built_in.h"
 #include "tables/input_error.h"
 
 namespace girdle {
 namespace {
 
-constexpr const char* kImplicit = "implicit";
+constexpr const char* kImplicitWord = "implicit";
+constexpr std::array<std::string_view, 3> kMeshSuffixes = {".glb", ".gltf", ".obj"};
+
+// Words for what becomes of the head, in the order of Head.
+constexpr std::array<std::string_view, 2> kHeadNames = {"cut", "keep"};
+
+// The heat alone makes the border of the scapula too sharp, the artist alone hardly moves skin with
+// clavicle and scapula.
+constexpr double kArtistShare = 0.3;
+constexpr int kSmoothingSteps = 3;
+
+enum class Source { kImplicit, kFolder, kMesh };
+
+bool HasMeshSuffix(const std::string& path) {
+  std::string suffix = std::filesystem::path(path).extension().string();
+  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return std::find(kMeshSuffixes.begin(), kMeshSuffixes.end(), suffix) != kMeshSuffixes.end();
+}
+
+Source SourceOf(const std::string& skin) {
+  if (skin == kImplicitWord) return Source::kImplicit;
+  std::error_code ignored;
+  if (std::filesystem::is_directory(skin, ignored)) return Source::kFolder;
+  if (HasMeshSuffix(skin)) return Source::kMesh;
+  throw InputError("--skin '" + skin +
+                   "': neither the word implicit, nor a folder, nor a mesh (.glb, .gltf, .obj). "
+                   "scripts/fetch_body fetches a body into the folder build/body");
+}
+
+// Refuses options that say nothing about this skin.
+void ExpectFitting(Source source, const SkinArguments& arguments, const AnatomyArguments& anatomy) {
+  if (!arguments.landmarks.empty() && source != Source::kMesh) {
+    throw InputError("--skin-landmarks " + arguments.landmarks + ": --skin " + arguments.skin +
+                     " has bones already. Leave it away, or give a mesh with --skin");
+  }
+  if (arguments.landmarks.empty() && source == Source::kMesh) {
+    throw InputError("--skin " + arguments.skin +
+                     ": where the bones are in a mesh cannot be seen. Add --skin-landmarks FILE, "
+                     "landmarks of the right shoulder in the mesh's coordinates, in the format of "
+                     "data/example_lab_landmarks.csv");
+  }
+  if (!arguments.head.empty() && source != Source::kFolder) {
+    throw InputError("--head " + arguments.head + ": only for the body of a folder. Leave it away");
+  }
+  if (source != Source::kImplicit && IsAnatomyChosen(anatomy)) {
+    throw InputError("--skin " + arguments.skin +
+                     ": bones fitted to that body are its own. Leave out --anatomy, --thorax and "
+                     "all measures of a body, or choose --skin implicit, which is made about the "
+                     "bones");
+  }
+}
 
 }  // namespace
 
-void AddSkinArgument(CLI::App& verb, SkinArgument& argument) {
-  verb.add_option("--skin", argument.skin, "With a skin: implicit (a body made of solids)")
+void AddSkinArguments(CLI::App& verb, SkinArguments& arguments) {
+  verb.add_option("--skin", arguments.skin,
+                  "With a skin: implicit (a body made of solids about the bones), a FOLDER (a "
+                  "man by MakeHuman, which scripts/fetch_body fetches into build/body) or a MESH "
+                  "(.glb, .gltf, .obj: closed, in meters); bones are fitted to the latter two")
+      ->type_name("WORD|FOLDER|MESH");
+  verb.add_option("--skin-landmarks", arguments.landmarks,
+                  "Of the person whose mesh it is: a CSV in the mesh's coordinates, with 'lab' as "
+                  "the segment of every row, as in data/example_lab_landmarks.csv")
+      ->type_name("FILE");
+  verb.add_option("--head", arguments.head, "Of a folder's body: cut (default) or keep")
       ->type_name("WORD");
 }
 
-std::optional<MadeSkin> ChosenSkin(const SkinArgument& argument, const Anatomy& anatomy,
-                                   const std::vector<Side>& sides, const std::string& file_name) {
-  if (argument.skin.empty()) {
+std::optional<ChosenBody> BodyFor(const SkinArguments& arguments, const AnatomyArguments& anatomy,
+                                  const std::vector<Side>& sides) {
+  if (arguments.skin.empty()) {
+    if (!arguments.landmarks.empty() || !arguments.head.empty()) {
+      throw InputError(arguments.landmarks.empty()
+                           ? "--head " + arguments.head + ": add --skin FOLDER"
+                           : "--skin-landmarks " + arguments.landmarks + ": add --skin MESH");
+    }
     return std::nullopt;
   }
-  if (argument.skin != kImplicit) {
-    throw InputError("--skin '" + argument.skin + "': not known. Give implicit");
+  const Source source = SourceOf(arguments.skin);
+  ExpectFitting(source, arguments, anatomy);
+  if (source == Source::kImplicit) {
+    return ChosenBody{ImplicitBody(ChosenAnatomy(anatomy), sides)};
   }
-  const PosedBody body = ImplicitBody(anatomy, sides);
+  ChosenBody chosen;
+  chosen.has_own_bones = true;
+  if (source == Source::kFolder) {
+    Head head = Head::kCut;
+    ChooseWord("--head", arguments.head, kHeadNames, head);
+    FittedBody fitted = FitBones(ReadMakeHumanMan(arguments.skin), BuiltInMakeHumanFit(),
+                                 BuiltInAnatomy(), RelaxedStanding(), BuiltInRhythm(), head);
+    chosen.body = std::move(fitted.body);
+    chosen.artist = std::move(fitted.artist);
+  } else {
+    chosen.body = ReadPersonBody(arguments.skin, arguments.landmarks, BuiltInAnatomy(), sides);
+  }
+  FitTissues(chosen.body.anatomy);
+  return chosen;
+}
+
+MadeSkin SkinOf(const ChosenBody& chosen, const std::vector<Side>& sides,
+                const std::string& file_name) {
+  const PosedBody& body = chosen.body;
   const std::vector<SkinBone> bones = SkinBonesOf(sides);
-  const SkinWeights weights = BoneHeat(body.surface, BoneShapesOf(body, bones));
+  SkinWeights weights = BoneHeat(body.surface, BoneShapesOf(body, bones));
+  if (!chosen.artist.empty()) {
+    const SkinWeights artist =
+        SharesOf(bones, SkinBonesOf({Side::kRight, Side::kLeft}), chosen.artist);
+    weights = Smoothed(body.surface, Mixed(weights, artist, kArtistShare), kSmoothingSteps);
+  }
   MadeSkin made{{file_name, {}}, SknBytes(Bind(body, bones, weights))};
   for (const Side side : sides) {
     made.element.landmarks.push_back(FindSkinLandmarks(body, side));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// The option that gives a model a skin.
+/// The options that give a model a skin, and with some skins its bones.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -9,18 +9,38 @@
 #include <string>
 #include <vector>
 
+#include "commands/anatomy_arguments.h"
 #include "kinematics/model_names.h"
 #include "mjcf/shoulder_model.h"
+#include "skin/bone_heat.h"
 #include "skin/posed_body.h"
 
 namespace girdle {
 
 /// What stands on the command line; empty where it was not given.
-struct SkinArgument {
+struct SkinArguments {
   std::string skin;
+  std::string landmarks;
+  std::string head;
 };
 
-void AddSkinArgument(CLI::App& verb, SkinArgument& argument);
+void AddSkinArguments(CLI::App& verb, SkinArguments& arguments);
+
+/// A body to make a skin of.
+struct ChosenBody {
+  PosedBody body;
+  SkinWeights artist = {};     ///< of SkinBonesOf({right, left}); empty if there was no artist
+  bool has_own_bones = false;  ///< whether the body brought its anatomy
+};
+
+/// Returns the body that was asked for, for a model of these sides: one made of solids about the
+/// bones that `anatomy` chooses, a MakeHuman body of a folder or a mesh with landmarks, both of
+/// which bring their own bones, with ligaments and gliding ellipsoid to fit; nothing if none was
+/// asked for. Throws InputError for a word that is none, options that do not go together, and what
+/// is wrong with the files.
+[[nodiscard]] std::optional<ChosenBody> BodyFor(const SkinArguments& arguments,
+                                                const AnatomyArguments& anatomy,
+                                                const std::vector<Side>& sides);
 
 /// A skin to write beside a model.
 struct MadeSkin {
@@ -28,11 +48,9 @@ struct MadeSkin {
   std::string bytes;  ///< of the file
 };
 
-/// Returns the skin of a model with this anatomy and these sides, named after the model's file;
-/// nothing if none was asked for. Throws InputError for a word that is none.
-[[nodiscard]] std::optional<MadeSkin> ChosenSkin(const SkinArgument& argument,
-                                                 const Anatomy& anatomy,
-                                                 const std::vector<Side>& sides,
-                                                 const std::string& file_name);
+/// Returns the skin of a model of these sides, bound to its bones: by heat, and where there was an
+/// artist by 30 % of what the artist chose. To be written to `file_name` beside the model.
+[[nodiscard]] MadeSkin SkinOf(const ChosenBody& chosen, const std::vector<Side>& sides,
+                              const std::string& file_name);
 
 }  // namespace girdle

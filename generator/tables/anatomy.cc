@@ -202,6 +202,25 @@ void ReadLigaments(std::istream& in, const std::string& name, Anatomy& anatomy) 
   }
 }
 
+std::string LandmarksToCsv(const Anatomy& anatomy, const std::vector<std::string>& comments) {
+  std::string text;
+  for (const std::string& comment : comments) {
+    text += comment + "\n";
+  }
+  text += "landmark,segment,x_m,y_m,z_m\n";
+  for (std::size_t i = 0; i < kLandmarkCount; ++i) {
+    text += kLandmarks[i].name;
+    text += ",";
+    text += kSegmentNames[static_cast<std::size_t>(kLandmarks[i].segment)];
+    for (int axis = 0; axis < 3; ++axis) {
+      text += ",";
+      AppendNumber(text, anatomy.landmarks_m[i][axis]);
+    }
+    text += "\n";
+  }
+  return text;
+}
+
 std::string ThoraxEllipsoidsToCsv(const Anatomy& anatomy,
                                   const std::vector<std::string>& comments) {
   std::string text;

@@ -150,6 +150,12 @@ void ReadJointRanges(std::istream& in, const std::string& name, Anatomy& anatomy
 void ReadThoraxEllipsoids(std::istream& in, const std::string& name, Anatomy& anatomy);
 void ReadLigaments(std::istream& in, const std::string& name, Anatomy& anatomy);
 
+/// Returns the anatomy's landmarks as a file that ReadLandmarks and ReadPersonAnatomy read:
+/// `comments`, each a line that begins with `#`, the header, the rows. Numbers read back as they
+/// are.
+[[nodiscard]] std::string LandmarksToCsv(const Anatomy& anatomy,
+                                         const std::vector<std::string>& comments);
+
 /// Returns the anatomy's ellipsoids as a file that ReadThoraxEllipsoids reads: `comments`, each a
 /// line that begins with `#`, the header, the rows. Numbers are rounded to kEllipsoidDecimals
 /// places of a meter.

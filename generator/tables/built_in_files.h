@@ -17,5 +17,6 @@ extern const std::string_view kThoraxEllipsoids;
 extern const std::string_view kLigaments;
 extern const std::string_view kPostures;
 extern const std::string_view kPublishedRhythms;
+extern const std::string_view kMakeHumanFit;
 
 }  // namespace girdle::built_in_files

@@ -342,14 +342,8 @@ void ExpressInSegments(const MeasuredLandmarks& measured, const MeasuredFrames& 
   pac_m = {0, 0, glm::length(pac_m)};
 }
 
-}  // namespace
-
-Anatomy ReadPersonAnatomy(std::istream& in, const std::string& name, const Anatomy& adult) {
-  const MeasuredLandmarks measured(in, name);
-  CheckLengths(measured, adult);
-  const MeasuredFrames frames = FramesOf(measured);
-  CheckEpicondyles(measured, frames);
-
+Anatomy AnatomyOf(const MeasuredLandmarks& measured, const MeasuredFrames& frames,
+                  const Anatomy& adult) {
   Anatomy anatomy = adult;
   ExpressInSegments(measured, frames, anatomy);
   const SegmentScales scales = ScalesOf(anatomy, adult);
@@ -368,6 +362,44 @@ Anatomy ReadPersonAnatomy(std::istream& in, const std::string& name, const Anato
       scales[static_cast<std::size_t>(Segment::kThorax)] * adult.jugular_notch_height_m;
   anatomy.has_adult_proportions = false;
   return anatomy;
+}
+
+// The frames of a file whose landmarks are right.
+MeasuredFrames CheckedFrames(const MeasuredLandmarks& measured, const Anatomy& adult) {
+  CheckLengths(measured, adult);
+  const MeasuredFrames frames = FramesOf(measured);
+  CheckEpicondyles(measured, frames);
+  return frames;
+}
+
+}  // namespace
+
+Anatomy ReadPersonAnatomy(std::istream& in, const std::string& name, const Anatomy& adult) {
+  const MeasuredLandmarks measured(in, name);
+  return AnatomyOf(measured, CheckedFrames(measured, adult), adult);
+}
+
+DigitizedPerson ReadDigitizedPerson(std::istream& in, const std::string& name,
+                                    const Anatomy& adult) {
+  const MeasuredLandmarks measured(in, name);
+  if (!measured.is_lab()) {
+    measured.Fail(Segment::kThorax, Landmark::kIJ,
+                  "landmarks in the frames of their segments do not say how the person stood. Give "
+                  "all in one frame, with '" +
+                      std::string(kLaboratory) + "' as the segment of every row");
+  }
+  const MeasuredFrames frames = CheckedFrames(measured, adult);
+  const auto q_AB = [&](Segment segment) { return frames.q_AB[static_cast<std::size_t>(segment)]; };
+  DigitizedPerson person;
+  person.anatomy = AnatomyOf(measured, frames, adult);
+  person.q_AT = q_AB(Segment::kThorax);
+  person.p_AT_m = frames.p_AB_m[static_cast<std::size_t>(Segment::kThorax)];
+  const Quaternion q_AC = ClavicleFrame(measured.In(Segment::kClavicle, Landmark::kSC),
+                                        measured.In(Segment::kClavicle, Landmark::kPAC),
+                                        person.q_AT * Vector3{0, 1, 0});
+  person.pose = {glm::conjugate(person.q_AT) * q_AC, glm::conjugate(q_AC) * q_AB(Segment::kScapula),
+                 glm::conjugate(q_AB(Segment::kScapula)) * q_AB(Segment::kHumerus)};
+  return person;
 }
 
 }  // namespace girdle

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "kinematics/shoulder_pose.h"
 #include "tables/anatomy.h"
 
 namespace girdle {
@@ -39,5 +40,21 @@ inline constexpr std::string_view kLaboratory = "lab";
 /// landmarks nearly on a line, under each other's names, of a left shoulder or mirrored.
 [[nodiscard]] Anatomy ReadPersonAnatomy(std::istream& in, const std::string& name,
                                         const Anatomy& adult);
+
+/// A person as digitised: bones, how they stood, and where the thorax was in the laboratory's frame
+/// A.
+struct DigitizedPerson {
+  Anatomy anatomy;
+  ShoulderPose pose;
+  Quaternion q_AT{1, 0, 0, 0};
+  Vector3 p_AT_m{0, 0, 0};
+};
+
+/// Reads a file as ReadPersonAnatomy does, whose landmarks must stand in one laboratory frame, with
+/// the posture in which they were digitised. The clavicle's turn about its long axis, which cannot
+/// be told from landmarks, is 0. Throws as ReadPersonAnatomy, and for landmarks in segments'
+/// frames.
+[[nodiscard]] DigitizedPerson ReadDigitizedPerson(std::istream& in, const std::string& name,
+                                                  const Anatomy& adult);
 
 }  // namespace girdle
