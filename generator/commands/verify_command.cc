@@ -78,8 +78,8 @@ bool Verify(const VerifyArguments& arguments) {
   const VerifyResult result =
       arguments.mapping.empty()
           ? LoadSimulation().verify(arguments.model, ChosenPlugin(arguments.plugin),
-                                    OverrideFrom(arguments.rhythm), anatomy, girdle,
-                                    arguments.json, std::ref(progress))
+                                    OverrideFrom(arguments.rhythm), anatomy, girdle, arguments.json,
+                                    std::ref(progress))
           : VerifyMapped(arguments, progress);
   progress.Clear();
   Print(result.report);

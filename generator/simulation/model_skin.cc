@@ -106,7 +106,8 @@ SkinLandmarkVertices ModelSkin::Landmarks(Side side) const {
     const std::string place = "<numeric name=\"" + name + "\">";
     if (numeric < 0) {
       throw InputError(model_name_ + ": has a skin and no " + place +
-                       ", which says which of its vertices are the landmark's. Restore it," + kAnew);
+                       ", which says which of its vertices are the landmark's. Restore it," +
+                       kAnew);
     }
     const mjtNum* const numbers = model_.numeric_data + model_.numeric_adr[numeric];
     for (int i = 0; i < model_.numeric_size[numeric]; ++i) {

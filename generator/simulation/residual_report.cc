@@ -33,8 +33,7 @@ std::string ReportAsText(const ResidualReport& report) {
   std::vector<Row> rows = {{"residual", "of", "value", "tolerance", "unit", "result", "where"}};
   for (const Residual& residual : report.residuals) {
     rows.push_back({residual.group, residual.item, SignificantText(residual.value, kDigits),
-                    ToleranceText(residual),
-                    residual.unit,
+                    ToleranceText(residual), residual.unit,
                     !residual.tolerance ? "stated"
                     : residual.passed() ? "pass"
                                         : "FAIL",

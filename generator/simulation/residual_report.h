@@ -15,7 +15,8 @@ namespace girdle {
 
 /// Returns the report as JSON: `model`, `kind`, `rhythm`, `mujoco`, `passed` and the array
 /// `residuals` of `group`, `item`, `value`, `unit`, `tolerance` (null where the value is only
-/// stated), `bound` (a word of kBoundNames: what the value has to be to it), `passed`, `where`. A value that is not finite is null.
+/// stated), `bound` (a word of kBoundNames: what the value has to be to it), `passed`, `where`. A
+/// value that is not finite is null.
 [[nodiscard]] std::string ReportAsJson(const ResidualReport& report);
 
 }  // namespace girdle

@@ -60,7 +60,8 @@ struct ResidualReport {
 /// Runs the standard motions (abduction, scapular plane, flexion, protraction at 90, and up and
 /// down once a second) with every shoulder of the model and visits every position of the rhythm's
 /// table, and returns the report. A skin is measured as the girdle says; all else is always that of
-/// the model. Throws InputError where MuJoCo warns, or if the girdle is frozen and there is no skin.
+/// the model. Throws InputError where MuJoCo warns, or if the girdle is frozen and there is no
+/// skin.
 [[nodiscard]] ResidualReport MeasureResiduals(ShoulderSimulation& simulation,
                                               const AssembledRhythm& rhythm, const Anatomy& anatomy,
                                               const ProgressSink& progress,

@@ -48,7 +48,9 @@ constexpr double kGrid_rad = 15 * kRadiansPerDegree;
 // The skin over the AC joint.
 constexpr std::array<std::string_view, 2> kAcSkin = {kSkinAcName, kSkinAcromionName};
 
-double MmPerDegree(double m_per_rad) { return m_per_rad * kMillimetersPerMeter * kRadiansPerDegree; }
+double MmPerDegree(double m_per_rad) {
+  return m_per_rad * kMillimetersPerMeter * kRadiansPerDegree;
+}
 
 std::string PlaneText(double plane_rad) {
   return ", plane " + RoundedText(DegreesFromRadians(plane_rad), 0);
@@ -160,9 +162,8 @@ void SkinMeter::ComparePose(const ArmCommand& command) {
   for (Vector3& vertex_m : vertices_m) {
     vertex_m = q_TW * (vertex_m - p_WT);
   }
-  posed_mm_.Add(
-      kMillimetersPerMeter * LargestDistance_m(vertices_m, on_bones_.VerticesIn_m(pose)), "pose",
-      command);
+  posed_mm_.Add(kMillimetersPerMeter * LargestDistance_m(vertices_m, on_bones_.VerticesIn_m(pose)),
+                "pose", command);
   CompareBlend("pose", command);
 }
 
@@ -198,12 +199,11 @@ void SkinMeter::AddRises(std::vector<Residual>& lines) const {
     const bool is_reached =
         !rhythm_.rhythm().Solve(from).clamped && !rhythm_.rhythm().Solve(to).clamped;
     const std::string where = "elevation 30 to 120" + PlaneText(plane_rad);
-    lines.push_back(
-        {kGroup, "acromion's skin rises" + PlaneText(plane_rad),
-         kMillimetersPerMeter *
-             (landmarks_.In_m(high)[kAcromion].y - landmarks_.In_m(low)[kAcromion].y),
-         "mm", is_reached ? std::optional(size_ * kAcromionRise_mm) : std::nullopt, where,
-         Bound::kMoreThan});
+    lines.push_back({kGroup, "acromion's skin rises" + PlaneText(plane_rad),
+                     kMillimetersPerMeter *
+                         (landmarks_.In_m(high)[kAcromion].y - landmarks_.In_m(low)[kAcromion].y),
+                     "mm", is_reached ? std::optional(size_ * kAcromionRise_mm) : std::nullopt,
+                     where, Bound::kMoreThan});
     lines.push_back({kGroup, "acromion's bone rises" + PlaneText(plane_rad),
                      kMillimetersPerMeter * (AcromionIn_m(on_bones_.anatomy(), high, side_).y -
                                              AcromionIn_m(on_bones_.anatomy(), low, side_).y),
@@ -214,10 +214,11 @@ void SkinMeter::AddRises(std::vector<Residual>& lines) const {
 void SkinMeter::AddAreas(std::vector<Residual>& lines) const {
   const Anatomy& anatomy = on_bones_.anatomy();
   const TriangleMesh& surface = on_bones_.bound().surface;
-  const std::vector<std::size_t> triangles = TrianglesNear(
-      surface,
-      OnSideInThorax_m(anatomy, bind_, side_, Segment::kScapula, anatomy.landmark_m(Landmark::kACJ)),
-      size_ * kAroundAc_m);
+  const std::vector<std::size_t> triangles =
+      TrianglesNear(surface,
+                    OnSideInThorax_m(anatomy, bind_, side_, Segment::kScapula,
+                                     anatomy.landmark_m(Landmark::kACJ)),
+                    size_ * kAroundAc_m);
   for (const double plane_rad : kPlanes_rad) {
     const ArmCommand command{kHigh_rad, plane_rad};
     const AreaChange change = MadeFor(simulation_.name(), [&] {
@@ -227,9 +228,8 @@ void SkinMeter::AddAreas(std::vector<Residual>& lines) const {
     const std::string where = PlaceOf(
         "within " + RoundedText(kMillimetersPerMeter * size_ * kAroundAc_m, 0) + " mm of AC",
         command);
-    lines.push_back({kGroup, "area below half" + PlaneText(plane_rad),
-                     kPercent * change.below_half, "%",
-                     is_checked ? std::optional(kBelowHalf_percent) : std::nullopt, where});
+    lines.push_back({kGroup, "area below half" + PlaneText(plane_rad), kPercent * change.below_half,
+                     "%", is_checked ? std::optional(kBelowHalf_percent) : std::nullopt, where});
     lines.push_back({kGroup, "area kept" + PlaneText(plane_rad), kPercent * change.kept, "%",
                      std::nullopt, where});
     lines.push_back({kGroup, "5th percentile of area kept" + PlaneText(plane_rad),
@@ -251,15 +251,13 @@ void SkinMeter::AddSteps(std::vector<Residual>& lines) const {
   for (const Interpolated& interpolated : InterpolatedRhythms()) {
     const LandmarkLargest steps = LargestSteps_m(
         landmarks_,
-        [&](const ArmCommand& command) {
-          return OnGirdle(interpolated.rhythm.SolvePose(command));
-        },
+        [&](const ArmCommand& command) { return OnGirdle(interpolated.rhythm.SolvePose(command)); },
         interpolated.rhythm.table(), planes_rad);
     Extreme step;
     AddTo(step, steps, false, kMillimetersPerMeter, interpolated.table);
-    lines.push_back(step.Worst(
-        kGroup, "step of AC skin, " + std::string(Name(interpolated.interpolation)), "mm/deg",
-        std::nullopt));
+    lines.push_back(step.Worst(kGroup,
+                               "step of AC skin, " + std::string(Name(interpolated.interpolation)),
+                               "mm/deg", std::nullopt));
   }
 }
 
@@ -281,17 +279,15 @@ void SkinMeter::AddJumps(std::vector<Residual>& lines) const {
       AddTo(jump, jumps, is_smooth, MmPerDegree(1), interpolated.table);
       const std::string item = (is_smooth ? "jump of all landmarks" : "jump of AC skin") + over +
                                std::string(Name(interpolated.interpolation));
-      lines.push_back(jump.Worst(
-          kGroup, item, "mm/deg",
-          is_smooth ? std::optional(kSmoothJump_mm_per_deg) : std::nullopt));
+      lines.push_back(jump.Worst(kGroup, item, "mm/deg",
+                                 is_smooth ? std::optional(kSmoothJump_mm_per_deg) : std::nullopt));
       if (interpolated.interpolation == Interpolation::kSlerp) {
         slerp = jump.worst();
       }
       if (interpolated.interpolation == Interpolation::kSquad) {
-        Residual ratio = jump.Worst(kGroup, item + " of slerp's", "%",
-                                    direction == Direction::kElevation
-                                        ? std::optional(kSquadJump_percent)
-                                        : std::nullopt);
+        Residual ratio = jump.Worst(
+            kGroup, item + " of slerp's", "%",
+            direction == Direction::kElevation ? std::optional(kSquadJump_percent) : std::nullopt);
         ratio.value = kPercent * jump.worst() / slerp;
         lines.push_back(std::move(ratio));
       }
@@ -303,15 +299,20 @@ void SkinMeter::AddDepths(std::vector<Residual>& lines) const {
   const auto shallowest = [this](const ShoulderPose& pose) {
     const LandmarkDepths depths_m = LandmarkDepths_m(on_bones_, pose, side_);
     const auto* const least = std::min_element(depths_m.begin(), depths_m.end());
-    return std::pair(kMillimetersPerMeter * *least,
-                     std::string(kLandmarks[static_cast<std::size_t>(least - depths_m.begin())].name));
+    return std::pair(
+        kMillimetersPerMeter * *least,
+        std::string(kLandmarks[static_cast<std::size_t>(least - depths_m.begin())].name));
   };
   const auto [bound_mm, bound_name] = shallowest(bind_);
   lines.push_back({kGroup, "depth of landmarks, bind pose", bound_mm, "mm", size_ * kDepth_mm,
                    bound_name, Bound::kMoreThan});
 
-  Residual posed{kGroup, "depth of landmarks, all poses", std::numeric_limits<double>::infinity(),
-                 "mm", std::nullopt, ""};
+  Residual posed{kGroup,
+                 "depth of landmarks, all poses",
+                 std::numeric_limits<double>::infinity(),
+                 "mm",
+                 std::nullopt,
+                 ""};
   const ArmRectangle& domain = rhythm_.rhythm().domain();
   for (const double elevation_rad :
        EvenSteps(domain.lowest_elevation_rad, domain.highest_elevation_rad, kGrid_rad)) {

@@ -49,8 +49,8 @@ SkinLandmarkPlaces OneSidedVelocities(const LandmarkSkin& landmarks, const PoseF
   SkinLandmarkPlaces velocities;
   velocities.fill({0, 0, 0});
   for (std::size_t i = 0; i < kOneSidedFirst.size(); ++i) {
-    const SkinLandmarkPlaces there_m = landmarks.In_m(
-        pose(MovedAlong(direction, command, static_cast<double>(i + 1) * step_rad)));
+    const SkinLandmarkPlaces there_m =
+        landmarks.In_m(pose(MovedAlong(direction, command, static_cast<double>(i + 1) * step_rad)));
     for (std::size_t k = 0; k < kSkinLandmarkCount; ++k) {
       velocities[k] += kOneSidedFirst[i] / step_rad * (there_m[k] - origin_m[k]);
     }
@@ -92,8 +92,7 @@ double SkinOnBones::MisplacedBones_m(Side side) const {
   for (std::size_t i = 0; i < bones_.size(); ++i) {
     if (bones_[i].segment == Segment::kThorax || bones_[i].side == side) {
       const BoneFrame wanted = FrameInThorax(anatomy_, pose, bones_[i]);
-      largest_m =
-          std::max(largest_m, glm::distance(skin_.bones[i].bind.p_TB_m, wanted.p_TB_m));
+      largest_m = std::max(largest_m, glm::distance(skin_.bones[i].bind.p_TB_m, wanted.p_TB_m));
     }
   }
   return largest_m;
@@ -144,8 +143,7 @@ SkinLandmarkPlaces LandmarkSkin::In_m(const ShoulderPose& pose) const {
   auto next = vertices_m.begin();
   for (std::size_t k = 0; k < kSkinLandmarkCount; ++k) {
     const auto end = next + static_cast<std::ptrdiff_t>(counts_[k]);
-    places[k] =
-        std::accumulate(next, end, Vector3{0, 0, 0}) / static_cast<double>(counts_[k]);
+    places[k] = std::accumulate(next, end, Vector3{0, 0, 0}) / static_cast<double>(counts_[k]);
     next = end;
   }
   return places;
@@ -229,8 +227,7 @@ LandmarkLargest LargestJumps_m_per_rad(const LandmarkSkin& landmarks, const Pose
                                        const RhythmTable& table, Direction direction) {
   LandmarkLargest largest;
   for (const ArmCommand& place : KnotCrossings(table, direction)) {
-    const auto before =
-        OneSidedVelocities(landmarks, pose, direction, place, -kOneSidedStep_rad);
+    const auto before = OneSidedVelocities(landmarks, pose, direction, place, -kOneSidedStep_rad);
     const auto behind = OneSidedVelocities(landmarks, pose, direction, place, kOneSidedStep_rad);
     for (std::size_t k = 0; k < kSkinLandmarkCount; ++k) {
       Enlarge(largest[k], glm::distance(before[k], behind[k]), place);

@@ -91,16 +91,16 @@ using LandmarkLargest = std::array<LargestAt, kSkinLandmarkCount>;
 
 /// Returns how far [m] landmarks move at most while the elevation rises by a degree, in the planes
 /// given, within the table's elevations.
-[[nodiscard]] LandmarkLargest LargestSteps_m(const LandmarkSkin& landmarks, const PoseFunction& pose,
-                                             const RhythmTable& table,
+[[nodiscard]] LandmarkLargest LargestSteps_m(const LandmarkSkin& landmarks,
+                                             const PoseFunction& pose, const RhythmTable& table,
                                              const std::vector<double>& planes_rad);
 
 /// Returns by how much [m/rad] landmarks' velocities, with respect to what is moved along the
 /// direction, jump at most over the table's inner knot lines: one-sided differences before and
 /// behind (kinematics/one_sided_difference.h).
 [[nodiscard]] LandmarkLargest LargestJumps_m_per_rad(const LandmarkSkin& landmarks,
-                                                     const PoseFunction& pose, const RhythmTable& table,
-                                                     Direction direction);
+                                                     const PoseFunction& pose,
+                                                     const RhythmTable& table, Direction direction);
 
 /// How deep a side's bony landmarks lie under a surface [m], in the order of Landmark.
 using LandmarkDepths = std::array<double, kLandmarkCount>;

@@ -30,6 +30,34 @@ TEST(Residual, AValueThatIsNoNumberDoesNotPass) {
   EXPECT_FALSE(residual.passed());
 }
 
+TEST(Residual, ALowerBoundIsForValuesAboveIt) {
+  Residual residual;
+  residual.tolerance = 8;
+  residual.bound = Bound::kMoreThan;
+  residual.value = 8;
+  EXPECT_FALSE(residual.passed());
+  residual.value = std::nextafter(8, 9);
+  EXPECT_TRUE(residual.passed());
+  residual.value = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(residual.passed());
+}
+
+TEST(ResidualReport, SaysOnWhichSideOfATolerancePasses) {
+  ResidualReport report;
+  report.residuals = {
+      {"skin", "rises", 9, "mm", 8, "abduction", Bound::kMoreThan},
+      {"skin", "jumps", 0.5, "mm/deg", 1, "abduction"},
+  };
+  const std::string text = ReportAsText(report);
+  EXPECT_NE(text.find("> 8  mm      pass"), std::string::npos) << text;
+  EXPECT_EQ(text.find("> 1 "), std::string::npos) << text;
+  const std::string json = ReportAsJson(report);
+  EXPECT_NE(json.find("\"tolerance\": 8.0,\n      \"bound\": \"more than\""), std::string::npos)
+      << json;
+  EXPECT_NE(json.find("\"tolerance\": 1.0,\n      \"bound\": \"at most\""), std::string::npos)
+      << json;
+}
+
 TEST(ResidualReport, SaysWhatFailed) {
   ResidualReport report;
   report.residuals = {{"joint constraint", "SC", 2, "mm", 1, "abduction"},
