@@ -7,13 +7,18 @@ from __future__ import annotations
 from bodies import Body
 from figure import Figure, NumberTable, rounded
 from girdle_program import Girdle
-from panels import PANEL_PIXELS, View, compose, draw
-from style import save
+from matplotlib import pyplot as plt
+from panels import View, compose, draw, drawn
 
 ELEVATIONS_DEG = (15, 30, 60, 90, 120)
 PAPERS_NUMBER = {"front": 11, "back": 12}
-ROWS = {"skin": "skin", "both": "bones in the skin"}
-QUICK_PIXELS = 100
+COLUMNS = {"skin": "skin", "both": "bones in the skin"}
+# Wide enough for both arms held out.
+ASPECT = 1.75
+HEIGHT = 560
+QUICK_HEIGHT = 100
+# Without the sky above the hands.
+KEPT = (0, 1, 0.06, 1)
 
 
 def bone_angles(girdle: Girdle) -> NumberTable:
@@ -40,26 +45,29 @@ def bone_angles(girdle: Girdle) -> NumberTable:
     )
 
 
+def pictures(girdle: Girdle, body: Body, camera: str, quick: bool) -> plt.Figure:
+    height = QUICK_HEIGHT if quick else HEIGHT
+    width = round(ASPECT * height)
+    panels = [
+        [
+            draw(girdle, body, elevation, View(camera, show, width, height, kept=KEPT))
+            for show in COLUMNS
+        ]
+        for elevation in ELEVATIONS_DEG
+    ]
+    rows = [f"{elevation}°" for elevation in ELEVATIONS_DEG]
+    return compose(panels, list(COLUMNS.values()), rows, panel_width=4.6)
+
+
 def make(girdle: Girdle, body: Body, camera: str, quick: bool) -> Figure:
     number = PAPERS_NUMBER[camera]
-    name = f"figure_{number}_abduction_{camera}_{body.name}"
-    height = QUICK_PIXELS if quick else PANEL_PIXELS
-    pictures = [
-        [
-            draw(girdle, body, elevation, View(camera, show, height, height))
-            for elevation in ELEVATIONS_DEG
-        ]
-        for show in ROWS
-    ]
-    columns = [f"{elevation}°" for elevation in ELEVATIONS_DEG]
-    save(compose(pictures, columns, list(ROWS.values())), girdle.folder, name)
-    return Figure(
-        name,
+    figure = Figure(
+        f"figure_{number}_abduction_{camera}_{body.name}",
         f"Fig. {number}. Abduction from the {camera}: {body.title}",
         "Both arms raised in the frontal plane to 15, 30, 60, 90 and 120 degrees, with the girdle "
         "as measured.",
-        f"Two rows of five pictures from the {camera}: the body's skin, and below it the bones in "
-        "a translucent skin, with the arms from hanging to well above the shoulders.",
+        f"Five rows of two pictures from the {camera}: the body's skin, and beside it the bones in "
+        "a translucent skin, with the arms from nearly hanging to well above the shoulders.",
         [bone_angles(girdle)],
-        girdle.take_commands(),
     )
+    return drawn(girdle, figure, lambda: pictures(girdle, body, camera, quick))

@@ -4,12 +4,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
 from figure import Figure, NumberTable, rounded, significant
 from girdle_program import Girdle, Numbers
 from matplotlib import pyplot as plt
+from matplotlib.axes import Axes
 from style import GREY, INTERPOLATIONS, name_panel, save
 
 NAME = "figure_13_elbow_path"
@@ -21,6 +23,9 @@ KNOT_PLANE_DEG = 40
 LAST_PLANE_DEG = 90
 # Between samples. Differences of second order are then off by less than a thousandth.
 STEP_DEG = 0.25
+# What is shown closer.
+CORNER_ELEVATION_DEG = 30
+CORNER_REACH_DEG = 14
 QUICK_STEP_DEG = 2.5
 
 
@@ -60,6 +65,12 @@ class Path:
         before, behind = self.velocities_at_knot()
         return float(np.linalg.norm(behind - before))
 
+    def speed(self) -> tuple[Numbers, Numbers]:
+        """Planes and |r'| [mm/deg], with a gap at the knot as in `curvature`."""
+        values = np.linalg.norm(self.p_mm[2:] - self.p_mm[:-2], axis=1) / (2 * self.step_deg)
+        values[self.knot - 1] = np.nan
+        return self.planes_deg[1:-1], values
+
     def curvature(self) -> tuple[Numbers, Numbers]:
         """Planes and |r' x r''| / |r'|^3 [1/m], by central differences.
 
@@ -73,6 +84,10 @@ class Path:
         values /= np.linalg.norm(first, axis=1) ** 3
         values[self.knot - 1] = np.nan
         return self.planes_deg[1:-1], values
+
+
+# By interpolation and elevation.
+Paths = dict[str, dict[int, Path]]
 
 
 def measured_paths(girdle: Girdle, interpolation: str, step_deg: float) -> dict[int, Path]:
@@ -94,68 +109,107 @@ def measured_paths(girdle: Girdle, interpolation: str, step_deg: float) -> dict[
     }
 
 
-def draw(paths: dict[str, dict[int, Path]]) -> plt.Figure:
-    canvas = plt.figure(figsize=(12.6, 8.4))
-    left, right = canvas.subfigures(1, 2, width_ratios=[1, 1.25], wspace=0.03)
-    above, height = left.subplots(2, 1, gridspec_kw={"height_ratios": [1.45, 1]})
-    name_panel(above, "(a) path of the elbow, from above")
-    name_panel(height, "(b) its height")
+def draw_from_above(axes: Axes, paths: Paths, elevation: int, label: bool = False) -> None:
     for interpolation, by_elevation in paths.items():
         look = INTERPOLATIONS[interpolation]
-        line = {"color": look["color"], "linestyle": look["linestyle"]}
-        for elevation, path in by_elevation.items():
-            label = interpolation if elevation == ELEVATIONS_DEG[0] else None
-            x_mm, y_mm, z_mm = path.p_mm.T
-            above.plot(z_mm, x_mm, label=label, **line)
-            height.plot(path.planes_deg, y_mm, **line)
-    for elevation, path in paths["squad"].items():
-        x_mm, y_mm, z_mm = path.p_mm.T
-        knot = path.knot
-        above.plot(z_mm[knot], x_mm[knot], "o", color=GREY, markersize=4, zorder=0)
-        above.annotate(
+        path = by_elevation[elevation]
+        axes.plot(
+            path.p_mm[:, 2],
+            path.p_mm[:, 0],
+            color=look["color"],
+            linestyle=look["linestyle"],
+            label=interpolation if label else None,
+        )
+    axes.set_aspect("equal")
+    axes.set_xlabel("to the right (mm)")
+    axes.set_ylabel("forward (mm)")
+
+
+def draw_paths(axes: Axes, paths: Paths) -> None:
+    for elevation in ELEVATIONS_DEG:
+        draw_from_above(axes, paths, elevation, label=elevation == ELEVATIONS_DEG[0])
+        path = paths["squad"][elevation]
+        axes.plot(path.p_mm[path.knot, 2], path.p_mm[path.knot, 0], "o", color=GREY, markersize=5)
+        # At the end in the frontal plane, where the paths are apart.
+        axes.annotate(
             f"{elevation}°",
-            (z_mm[-1], x_mm[-1]),
-            xytext=(0, 5),
+            (path.p_mm[0, 2], path.p_mm[0, 0]),
+            xytext=(0, -5),
             textcoords="offset points",
             ha="center",
+            va="top",
         )
-        height.annotate(
-            f"{elevation}°",
-            (path.planes_deg[-1], y_mm[-1]),
-            xytext=(5, 0),
-            textcoords="offset points",
-            va="center",
-            annotation_clip=False,
-        )
-    above.set_aspect("equal")
-    above.margins(0.08)
-    above.set_xlabel("to the right of the jugular notch (mm)")
-    above.set_ylabel("in front of it (mm)")
-    above.legend(loc="lower left")
-    height.axvline(KNOT_PLANE_DEG, color=GREY, linewidth=0.8, zorder=0)
-    height.set_xlabel("plane of elevation (deg)")
-    height.set_ylabel("above the notch (mm)")
-    height.set_xlim(0, LAST_PLANE_DEG)
+    axes.margins(0.1)
+    axes.legend(loc="lower left")
 
-    panels = right.subplots(len(ELEVATIONS_DEG), 1, sharex=True)
+
+def draw_corner(axes: Axes, paths: Paths) -> None:
+    """The lowest path near the knot, where slerp's corner is sharpest."""
+    draw_from_above(axes, paths, CORNER_ELEVATION_DEG)
+    path = paths["squad"][CORNER_ELEVATION_DEG]
+    near = np.abs(path.planes_deg - KNOT_PLANE_DEG) <= CORNER_REACH_DEG
+    knot = path.p_mm[path.knot]
+    axes.plot(knot[2], knot[0], "o", color=GREY, markersize=5)
+    low, high = path.p_mm[near].min(axis=0), path.p_mm[near].max(axis=0)
+    axes.set_aspect("equal", adjustable="datalim")
+    axes.set_xlim(low[2], high[2])
+    axes.set_ylim(low[0], high[0])
+
+
+def draw_speed(axes: Axes, paths: Paths) -> None:
+    for interpolation, by_elevation in paths.items():
+        look = INTERPOLATIONS[interpolation]
+        planes_deg, mm_per_deg = by_elevation[CORNER_ELEVATION_DEG].speed()
+        axes.plot(planes_deg, mm_per_deg, color=look["color"], linestyle=look["linestyle"])
+    axes.axvline(KNOT_PLANE_DEG, color=GREY, linewidth=0.8, zorder=0)
+    axes.set_xlim(0, LAST_PLANE_DEG)
+    axes.set_ylim(bottom=0)
+    axes.set_xlabel("plane of elevation (deg)")
+    axes.set_ylabel("speed (mm/deg)")
+
+
+def draw_curvatures(panels: Iterable[Axes], paths: Paths) -> None:
     for panel, elevation in zip(panels, ELEVATIONS_DEG, strict=True):
-        kinks = []
+        kink_deg = paths["slerp"][elevation].kink_deg()
         for interpolation, by_elevation in paths.items():
             look = INTERPOLATIONS[interpolation]
-            planes_deg, per_m = by_elevation[elevation].curvature()
-            panel.plot(planes_deg, per_m, color=look["color"], linestyle=look["linestyle"])
-            kinks.append(f"{interpolation} {rounded(by_elevation[elevation].kink_deg(), 2)}°")
+            panel.plot(
+                *by_elevation[elevation].curvature(),
+                color=look["color"],
+                linestyle=look["linestyle"],
+            )
         panel.axvline(KNOT_PLANE_DEG, color=GREY, linewidth=0.8, zorder=0)
-        name_panel(panel, f"elevation {elevation}°;  kink at 40°: {', '.join(kinks)}")
+        what = "(d) curvature of the path (1/m), " if elevation == ELEVATIONS_DEG[0] else ""
+        name_panel(panel, f"{what}elevation {elevation}°")
+        panel.annotate(
+            f"slerp: a corner of {rounded(kink_deg, 1)}°",
+            (KNOT_PLANE_DEG, 0),
+            xytext=(5, 8),
+            textcoords="offset points",
+            color=INTERPOLATIONS["slerp"]["color"],
+        )
         panel.set_ylim(bottom=0)
         panel.set_xlim(0, LAST_PLANE_DEG)
-    right.suptitle("(c) curvature of the path", x=0.09, ha="left", fontsize=11)
-    right.supylabel("curvature (1/m)", fontsize=11)
+
+
+def draw(paths: Paths) -> plt.Figure:
+    canvas = plt.figure(figsize=(14, 8.2))
+    left, middle, right = canvas.subfigures(1, 3, width_ratios=[1, 0.9, 1.1])
+    above = left.subplots()
+    name_panel(above, "(a) path of the elbow, from above")
+    draw_paths(above, paths)
+    corner, speed = middle.subplots(2, 1)
+    name_panel(corner, f"(b) the same at {CORNER_ELEVATION_DEG}°, near plane {KNOT_PLANE_DEG}")
+    draw_corner(corner, paths)
+    name_panel(speed, f"(c) speed of the elbow at {CORNER_ELEVATION_DEG}°")
+    draw_speed(speed, paths)
+    panels = right.subplots(len(ELEVATIONS_DEG), 1, sharex=True)
+    draw_curvatures(panels, paths)
     panels[-1].set_xlabel("plane of elevation (deg)")
     return canvas
 
 
-def numbers(paths: dict[str, dict[int, Path]]) -> NumberTable:
+def numbers(paths: Paths) -> NumberTable:
     rows = []
     for elevation in ELEVATIONS_DEG:
         for interpolation, by_elevation in paths.items():
@@ -194,18 +248,19 @@ def make(girdle: Girdle, quick: bool) -> Figure:
     return Figure(
         NAME,
         "Fig. 13. The elbow's path while the plane goes from 0 to 90",
-        "The arm goes from the frontal plane to the sagittal one at four elevations. Slerp turns a "
-        "corner at the measured plane of 40 degrees: there its curvature has no bound and the "
-        "picture has a gap, and the kink says by how much the path changes its direction at once. "
-        "Squad as published takes the corner off, not quite, because its planes are 40 and 50 "
-        "degrees apart and its tangents take them for evenly spaced. Smooth has neither kink nor "
-        f"step of curvature. Curvature is |r' x r''| / |r'|³ of positions {step_deg:g} degrees apart, "
-        "by central differences that never reach across plane 40; velocities there are one-sided "
-        "differences of second order, which leave a kink of a smooth path at their own error. All "
-        "three interpolate the table as measured.",
-        "Left: four arcs of the elbow seen from above, and its height against the plane of "
-        "elevation. Right: curvature of the path against the plane, one panel an elevation; slerp's "
-        "and squad's curves jump at plane 40, smooth's goes through.",
+        "The arm goes from the frontal plane to the sagittal one at four elevations; the dots are at "
+        f"the measured plane of {KNOT_PLANE_DEG} degrees. There slerp turns a corner: its curvature "
+        "has no bound, and in its place stands the angle by which the path changes direction at "
+        "once. Squad as published goes on in the same direction, but at another speed, because its "
+        "planes are 40 and 50 degrees apart and its tangents take them for evenly spaced; its "
+        "curvature has a peak. Smooth has neither. Curvature is |r' x r''| / |r'|³ of positions "
+        f"{step_deg:g} degrees apart, by central differences that never reach across plane "
+        f"{KNOT_PLANE_DEG}; velocities there are one-sided differences of second order, whose error "
+        "is what smooth's kink shows. All three interpolate the table as measured, closure table.",
+        "Arcs of the elbow seen from above; a closer view in which slerp's path has a corner; the "
+        "elbow's speed, which jumps for slerp and squad and not for smooth; and the curvature of "
+        "the path against the plane at four elevations, where squad has a peak at plane 40, slerp "
+        "a step and smooth neither.",
         [numbers(paths)],
         girdle.take_commands(),
     )

@@ -96,7 +96,7 @@ class Girdle:
         if finished.returncode == 0 or (may_exceed and finished.returncode == ABOVE_TOLERANCE):
             return finished.stdout
         message = finished.stderr.strip() or f"exit status {finished.returncode}, no message"
-        kind = NoPictures if "cannot draw pictures: no OpenGL" in message else ProgramError
+        kind = NoPictures if "girdle: cannot draw pictures: " in message else ProgramError
         raise kind(f"{message}\n  from: {command}")
 
     def rows(self, *words: str) -> Rows:

@@ -24,7 +24,8 @@ import skin_near_ac
 import velocity_jumps
 from bodies import Body, human_body, implicit_body
 from figure import Figure, NumberTable
-from girdle_program import Girdle, NoPictures, ProgramError
+from girdle_program import Girdle, ProgramError
+from style import draw_coarsely
 
 FAILED = 1
 REFUSED = 2
@@ -79,15 +80,18 @@ def table_as_html(table: NumberTable) -> str:
 
 def figure_as_html(figure: Figure) -> str:
     text = f'<section id="{figure.name}">\n<h2>{html.escape(figure.title)}</h2>\n'
-    if figure.missing:
-        return text + f'<p class="missing">{html.escape(figure.missing)}</p>\n</section>\n'
     name = figure.name
-    text += (
-        f'<figure>\n<a href="{name}.svg"><img src="{name}.png" alt="{html.escape(figure.alt)}"></a>\n'
-        f"<figcaption>{html.escape(figure.caption)}\n"
-        f'<span class="files"><a href="{name}.svg">SVG</a> <a href="{name}.png">PNG</a></span>'
-        "</figcaption>\n</figure>\n"
-    )
+    if figure.missing:
+        text += f'<p class="missing">{html.escape(figure.missing)}</p>\n'
+        text += f"<p>{html.escape(figure.caption)}</p>\n"
+    else:
+        text += (
+            f'<figure>\n<a href="{name}.svg"><img src="{name}.png" '
+            f'alt="{html.escape(figure.alt)}"></a>\n'
+            f"<figcaption>{html.escape(figure.caption)}\n"
+            f'<span class="files"><a href="{name}.svg">SVG</a> <a href="{name}.png">PNG</a></span>'
+            "</figcaption>\n</figure>\n"
+        )
     text += "".join(map(table_as_html, figure.tables))
     commands = "\n".join(html.escape(command) for command in figure.commands)
     count = len(figure.commands)
@@ -113,38 +117,13 @@ def page(figures: list[Figure], version: str, notes: list[str]) -> str:
     )
 
 
-def pictured(
-    girdle: Girdle, name: str, title: str, make: Callable[[], Figure]
-) -> Figure:
-    """A figure of pictures, or why this machine cannot draw it."""
-    try:
-        return make()
-    except NoPictures as error:
-        girdle.take_commands()
-        return Figure(name, title, "", "", missing=f"Not drawn. {error}")
-
-
 def body_figures(girdle: Girdle, body: Body, quick: bool) -> list[Figure]:
     figures = []
     for camera, number in abduction.PAPERS_NUMBER.items():
         say(f"Fig. {number}, {body.title}")
-        figures.append(
-            pictured(
-                girdle,
-                f"figure_{number}_{body.name}",
-                f"Fig. {number}. Abduction from the {camera}: {body.title}",
-                lambda camera=camera: abduction.make(girdle, body, camera, quick),
-            )
-        )
+        figures.append(abduction.make(girdle, body, camera, quick))
     say(f"Fig. 14, {body.title}")
-    figures.append(
-        pictured(
-            girdle,
-            f"figure_14_{body.name}",
-            f"Fig. 14. Skin near the AC joint: {body.title}",
-            lambda: skin_near_ac.make(girdle, body, quick),
-        )
-    )
+    figures.append(skin_near_ac.make(girdle, body, quick))
     return figures
 
 
@@ -158,6 +137,8 @@ PLOTS: list[tuple[str, Callable[[Girdle, bool], Figure]]] = [
 
 
 def make_all(girdle: Girdle, body_folder: Path | None, notes: list[str], quick: bool) -> None:
+    if quick:
+        draw_coarsely()
     version = girdle.run("--version").split()[-1]
     girdle.take_commands()
     bodies = [implicit_body(girdle)]
@@ -166,8 +147,7 @@ def make_all(girdle: Girdle, body_folder: Path | None, notes: list[str], quick: 
     generation = girdle.take_commands()
     figures = [figure for body in bodies for figure in body_figures(girdle, body, quick)]
     for figure in figures:
-        if figure.commands:
-            figure.commands = generation + figure.commands
+        figure.commands = generation + figure.commands
     for title, make in PLOTS:
         say(title)
         figures.append(make(girdle, quick))

@@ -4,12 +4,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from bodies import Body
-from girdle_program import Girdle, Numbers
+from figure import Figure
+from girdle_program import Girdle, NoPictures, Numbers
 from matplotlib import pyplot as plt
-from style import DOTS_PER_INCH
+from style import save
 
 
 @dataclass(frozen=True)
@@ -47,10 +49,14 @@ def draw(girdle: Girdle, body: Body, elevation_deg: int, view: View) -> Numbers:
     ]
 
 
-def compose(pictures: list[list[Numbers]], columns: list[str], rows: list[str]) -> plt.Figure:
-    """One picture of many, all of one size: a label above each column and left of each row."""
+def compose(
+    pictures: list[list[Numbers]], columns: list[str], rows: list[str], panel_width: float
+) -> plt.Figure:
+    """One picture of many, all of one size: a label above each column and left of each row.
+
+    `panel_width` is in inches.
+    """
     height, width = pictures[0][0].shape[:2]
-    panel_width = 2.5 if len(columns) > 3 else 3.2  # inches
     panel_height = panel_width * height / width
     canvas, panels = plt.subplots(
         len(rows),
@@ -73,5 +79,11 @@ def compose(pictures: list[list[Numbers]], columns: list[str], rows: list[str]) 
     return canvas
 
 
-# A panel need not have more pixels than the composed picture shows of it.
-PANEL_PIXELS = round(2.5 * DOTS_PER_INCH)
+def drawn(girdle: Girdle, figure: Figure, compose_pictures: Callable[[], plt.Figure]) -> Figure:
+    """The figure with its files, or with why this machine cannot draw it beside its numbers."""
+    try:
+        save(compose_pictures(), girdle.folder, figure.name)
+    except NoPictures as error:
+        figure.missing = f"Not drawn. {error}"
+    figure.commands += girdle.take_commands()
+    return figure

@@ -7,24 +7,22 @@ from __future__ import annotations
 from bodies import Body
 from figure import Figure, NumberTable, significant
 from girdle_program import Girdle
-from panels import View, compose, draw
-from style import save
+from matplotlib import pyplot as plt
+from panels import View, compose, draw, drawn
 
 ELEVATIONS_DEG = (90, 120)
 CAMERAS = ("front", "back")
 GIRDLES = {"measured": "(a) measured girdle", "frozen": "(b) GH alone"}
 
-SIZE = 1000
-QUICK_SIZE = 200
-# The shoulder that is raised, without elbow and head: it is the left one in a picture from the
-# front.
-KEPT = {"front": (0.12, 0.56, 0.16, 0.6), "back": (0.44, 0.88, 0.16, 0.6)}
+SIZE = 1800
+QUICK_SIZE = 300
+# Around the right shoulder, which is on the left of a picture from the front.
+KEPT = {"front": (0.2, 0.5, 0.27, 0.57), "back": (0.5, 0.8, 0.27, 0.57)}
 
 
-def make(girdle: Girdle, body: Body, quick: bool) -> Figure:
-    name = f"figure_14_skin_near_ac_{body.name}"
+def pictures(girdle: Girdle, body: Body, quick: bool) -> plt.Figure:
     size = QUICK_SIZE if quick else SIZE
-    pictures = [
+    panels = [
         [
             draw(
                 girdle,
@@ -38,20 +36,23 @@ def make(girdle: Girdle, body: Body, quick: bool) -> Figure:
         for motion in GIRDLES
     ]
     columns = [f"{camera}, {elevation}°" for camera in CAMERAS for elevation in ELEVATIONS_DEG]
-    save(compose(pictures, columns, list(GIRDLES.values())), girdle.folder, name)
-    return Figure(
-        name,
+    return compose(panels, columns, list(GIRDLES.values()), panel_width=2.6)
+
+
+def make(girdle: Girdle, body: Body, quick: bool) -> Figure:
+    figure = Figure(
+        f"figure_14_skin_near_ac_{body.name}",
         f"Fig. 14. Skin near the AC joint: {body.title}",
         "(a) The girdle moves as measured. (b) Clavicle and scapula stay where the skin was bound "
         "and the arm turns in the glenohumeral joint alone, to where it points in (a). The numbers "
-        "are those of girdle verify on the same model with either girdle; FAIL in the last column "
-        "is what is meant to happen.",
+        "are those of girdle verify on the same model with either girdle; in the columns of (b) "
+        "FAIL is what is meant to happen.",
         "Four close-ups of the right shoulder in two rows, from the front and the back at 90 and "
         "120 degrees. In the upper row the shoulder rises and rounds with the arm; in the lower one "
         "it stays down, and the skin folds where the arm is hinged.",
         [skin_lines(girdle, body)],
-        girdle.take_commands(),
     )
+    return drawn(girdle, figure, lambda: pictures(girdle, body, quick))
 
 
 def skin_lines(girdle: Girdle, body: Body) -> NumberTable:
@@ -73,8 +74,7 @@ def skin_lines(girdle: Girdle, body: Body) -> NumberTable:
     for key in {**reports["measured"], **reports["frozen"]}:
         lines = [reports[motion].get(key) for motion in GIRDLES]
         line = next(line for line in lines if line is not None)
-        # Groups may have more than skin in their name: "skin, frontal plane".
-        row = [", ".join([part for part in (line["group"][len("skin") :].strip(" ,:"), line["item"]) if part])]
+        row = [what_of(line)]
         for each in lines:
             row += ["-", ""] if each is None else [significant(each["value"], 3), verdict(each)]
         rows.append([*row, line["unit"], required(line)])
@@ -83,6 +83,12 @@ def skin_lines(girdle: Girdle, body: Body) -> NumberTable:
         ["of", "(a) measured", "", "(b) GH alone", "", "unit", "tolerance"],
         rows,
     )
+
+
+def what_of(line: dict) -> str:
+    """What a line is about, with what its group has in its name beside skin."""
+    beside = line["group"].removeprefix("skin").strip(" ,:")
+    return f"{beside}, {line['item']}" if beside else line["item"]
 
 
 def verdict(line: dict) -> str:

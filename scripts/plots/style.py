@@ -45,9 +45,6 @@ SEQUENTIAL = "cividis"
 # Its middle, where two rhythms agree, is white.
 DIVERGING = "PuOr"
 
-# Of a PNG; the page shows it at half of that.
-DOTS_PER_INCH = 200
-
 plt.rcParams.update(
     {
         "font.family": "sans-serif",
@@ -65,6 +62,8 @@ plt.rcParams.update(
         "lines.linewidth": 1.8,
         "figure.facecolor": "white",
         "figure.constrained_layout.use": True,
+        # The page shows a PNG at half of that.
+        "savefig.dpi": 200,
         # Text stays text, and the same input gives the same bytes.
         "svg.fonttype": "none",
         "svg.hashsalt": "girdle",
@@ -72,10 +71,15 @@ plt.rcParams.update(
 )
 
 
+def draw_coarsely() -> None:
+    """Makes PNGs small from here on."""
+    plt.rcParams["savefig.dpi"] = 50
+
+
 def save(canvas: Canvas, folder: Path, name: str) -> None:
     """Writes NAME.svg and NAME.png, the same bytes for the same figure, and closes it."""
     # Tight: the layout leaves no room for a legend beside the panels, this makes it.
-    tight = {"bbox_inches": "tight", "pad_inches": 0.08, "dpi": DOTS_PER_INCH}
+    tight = {"bbox_inches": "tight", "pad_inches": 0.08}
     canvas.savefig(folder / f"{name}.svg", metadata={"Date": None, "Creator": None}, **tight)
     canvas.savefig(folder / f"{name}.png", metadata={"Software": None}, **tight)
     plt.close(canvas)
