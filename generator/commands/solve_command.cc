@@ -20,9 +20,11 @@
 #include <utility>
 #include <vector>
 
+#include "commands/anatomy_arguments.h"
 #include "commands/angle_sweep.h"
 #include "commands/output_file.h"
 #include "commands/rhythm_arguments.h"
+#include "commands/shoulder_points.h"
 #include "commands/solve_rows.h"
 #include "kinematics/model_names.h"
 #include "tables/built_in.h"
@@ -39,6 +41,7 @@ constexpr std::size_t kMostThreadsUnasked = 4;
 
 struct SolveArguments {
   RhythmArguments rhythm;
+  AnatomyArguments anatomy;
   std::optional<std::string> elevation_deg;
   std::optional<std::string> plane_deg;
   std::optional<std::string> axial_deg;
@@ -49,8 +52,11 @@ struct SolveArguments {
   std::string in;
   std::string out;
   bool rates = false;
+  bool landmarks = false;
   bool json = false;
 };
+
+constexpr const char* kLandmarksKey = "landmarks_mm";
 
 // A million positions; more belong into a file.
 constexpr std::uint64_t kMostSwept = 1'000'000;
@@ -150,8 +156,36 @@ nlohmann::ordered_json DerivativesAsJson(const ShoulderDerivatives& derivatives)
   return json;
 }
 
+nlohmann::ordered_json PointsAsJson(const Anatomy& anatomy, const ShoulderPose& pose) {
+  nlohmann::ordered_json json;
+  for (const ShoulderPoint& point : ShoulderPoints(anatomy, pose)) {
+    json[point.name] = {point.p_mm.x, point.p_mm.y, point.p_mm.z};
+  }
+  return json;
+}
+
+// What one pose is answered with beside its angles.
+struct Additions {
+  bool rates = false;
+  std::optional<Anatomy> points_of;
+};
+
+Additions ChosenAdditions(const SolveArguments& arguments) {
+  if (!arguments.landmarks && IsAnatomyChosen(arguments.anatomy)) {
+    throw InputError(
+        "whose shoulder it is changes no angle, only where landmarks are. Add --landmarks, or "
+        "leave --anatomy, --thorax and the measures away");
+  }
+  Additions additions;
+  additions.rates = arguments.rates;
+  if (arguments.landmarks) {
+    additions.points_of = ChosenAnatomy(arguments.anatomy);
+  }
+  return additions;
+}
+
 std::string PoseAsJson(const ShoulderRhythm& rhythm, const TypedPose& typed,
-                       const ShoulderSolution& solution, bool rates) {
+                       const ShoulderSolution& solution, const Additions& additions) {
   const CellEdges edges = EdgesOf(rhythm.table(), solution.cell);
   nlohmann::ordered_json json;
   json[kElevationColumn] = typed.elevation_deg;
@@ -180,7 +214,10 @@ std::string PoseAsJson(const ShoulderRhythm& rhythm, const TypedPose& typed,
   for (std::size_t k = 0; k < kCoordinateCount; ++k) {
     json["angles_deg"][std::string(kCoordinateNames[k])] = DegreesFromRadians(angles_rad[k]);
   }
-  if (rates) {
+  if (additions.points_of) {
+    json[kLandmarksKey] = PointsAsJson(*additions.points_of, solution.pose);
+  }
+  if (additions.rates) {
     json["derivatives"] = DerivativesAsJson(*rhythm.SolveDerivatives(typed.command()));
   }
   return json.dump(2) + "\n";
@@ -204,6 +241,22 @@ std::string AnglesAsText(const JointAngles& angles_rad) {
     text += AlignedLeft(std::string(kCoordinateNames[k]), kNameWidth) +
             AlignedRight(RoundedText(DegreesFromRadians(angles_rad[k]), kDecimals), kAngleWidth) +
             " deg\n";
+  }
+  return text;
+}
+
+std::string PointsAsText(const Anatomy& anatomy, const ShoulderPose& pose) {
+  std::string text = "\n" + AlignedLeft("in the thorax (mm)", kNameWidth);
+  for (const char* axis : {"x", "y", "z"}) {
+    text += AlignedRight(axis, kAngleWidth);
+  }
+  text += "\n";
+  for (const ShoulderPoint& point : ShoulderPoints(anatomy, pose)) {
+    text += AlignedLeft(point.name, kNameWidth);
+    for (int axis = 0; axis < 3; ++axis) {
+      text += AlignedRight(RoundedText(point.p_mm[axis], kDecimals), kAngleWidth);
+    }
+    text += "\n";
   }
   return text;
 }
@@ -240,7 +293,7 @@ std::string UsedAsText(const ArmCommand& given, const ArmCommand& used) {
 }
 
 std::string PoseAsText(const ShoulderRhythm& rhythm, const TypedPose& typed,
-                       const ShoulderSolution& solution, bool rates) {
+                       const ShoulderSolution& solution, const Additions& additions) {
   const CellEdges edges = EdgesOf(rhythm.table(), solution.cell);
   const auto range = [](double from_deg, double to_deg, double weight) {
     return RoundedText(from_deg, kDecimals) + " to " + RoundedText(to_deg, kDecimals) +
@@ -260,7 +313,10 @@ std::string PoseAsText(const ShoulderRhythm& rhythm, const TypedPose& typed,
             " deg from measured positions";
   }
   text += "\n\n" + AnglesAsText(AnglesFromPose(solution.pose));
-  if (rates) {
+  if (additions.points_of) {
+    text += PointsAsText(*additions.points_of, solution.pose);
+  }
+  if (additions.rates) {
     text += RatesAsText(*rhythm.SolveDerivatives(typed.command()));
   }
   return text;
@@ -274,9 +330,10 @@ void SolveOne(const SolveArguments& arguments) {
                            ProtractionArgument(arguments).value_or(0)};
   const ShoulderRhythm rhythm = ChosenRhythm(arguments.rhythm);
   const ShoulderSolution solution = rhythm.Solve(typed.command());
+  const Additions additions = ChosenAdditions(arguments);
   OutputFile out(arguments.out);
-  out.Write(arguments.json ? PoseAsJson(rhythm, typed, solution, arguments.rates)
-                           : PoseAsText(rhythm, typed, solution, arguments.rates));
+  out.Write(arguments.json ? PoseAsJson(rhythm, typed, solution, additions)
+                           : PoseAsText(rhythm, typed, solution, additions));
   out.Commit();
 }
 
@@ -290,14 +347,21 @@ void SolvePosture(const SolveArguments& arguments) {
       !arguments.in.empty() || arguments.threads) {
     throw InputError("--pose says all of the arm. Leave the other options of the arm away");
   }
-  const JointAngles angles_rad =
-      AnglesFromPose(HangingIn(RelaxedStanding(), ChosenRhythm(arguments.rhythm)));
+  const ShoulderPose pose = HangingIn(RelaxedStanding(), ChosenRhythm(arguments.rhythm));
+  const Additions additions = ChosenAdditions(arguments);
+  const JointAngles angles_rad = AnglesFromPose(pose);
   std::string text = "posture         " + *arguments.posture + "\n\n" + AnglesAsText(angles_rad);
+  if (additions.points_of) {
+    text += PointsAsText(*additions.points_of, pose);
+  }
   if (arguments.json) {
     nlohmann::ordered_json json;
     json["posture"] = *arguments.posture;
     for (std::size_t k = 0; k < kCoordinateCount; ++k) {
       json["angles_deg"][std::string(kCoordinateNames[k])] = DegreesFromRadians(angles_rad[k]);
+    }
+    if (additions.points_of) {
+      json[kLandmarksKey] = PointsAsJson(*additions.points_of, pose);
     }
     text = json.dump(2) + "\n";
   }
@@ -324,7 +388,9 @@ void SolveFile(const RowSource& source, const SolveArguments& arguments) {
   options.threads = ChosenThreads(arguments.threads);
   options.shrug_deg = ShrugArgument(arguments);
   options.protraction_deg = ProtractionArgument(arguments);
-  options.has_rates = arguments.rates;
+  Additions additions = ChosenAdditions(arguments);
+  options.has_rates = additions.rates;
+  options.points_of = std::move(additions.points_of);
   if (arguments.axial_deg) {
     options.axial_deg = NumberArgument("--axial", *arguments.axial_deg);
   }
@@ -431,6 +497,9 @@ void AddSolveCommand(CLI::App& program) {
       ->type_name("NAME");
   verb->add_flag("--rates", arguments->rates,
                  "With derivatives by elevation and plane; needs the interpolation smooth");
+  verb->add_flag("--landmarks", arguments->landmarks,
+                 "With positions in the thorax in mm, x forward, y up, z to the right, from IJ: "
+                 "elbow_x_mm and so on, also sc, pac, ts, ai, aa, pc, acj, gc, gh, em, el");
   verb->add_option(
           "--in", arguments->in,
           "CSV with the columns elevation_deg and plane_deg, optionally axial_deg, shrug_deg, "
@@ -444,10 +513,12 @@ void AddSolveCommand(CLI::App& program) {
       ->type_name("N");
   verb->add_flag("--json", arguments->json, "One pose as JSON");
   AddRhythmArguments(*verb, arguments->rhythm);
+  AddAnatomyArguments(*verb, arguments->anatomy);
   verb->footer(
       "Examples:\n"
       "  girdle solve --elevation 23 --plane 50\n"
       "  girdle solve --elevation 0:180:1 --plane -60:135:5 --out map.csv\n"
+      "  girdle solve --elevation 90 --plane 40 --landmarks --stature 1.85\n"
       "  girdle solve --in poses.csv --out angles.csv");
   verb->callback([arguments] { Solve(*arguments); });
 }

@@ -17,6 +17,7 @@
 
 #include "commands/output_file.h"
 #include "commands/progress.h"
+#include "commands/shoulder_points.h"
 #include "kinematics/model_names.h"
 #include "tables/csv.h"
 #include "tables/number_text.h"
@@ -50,6 +51,7 @@ struct Answer {
   const ShoulderRhythm& rhythm;
   const ArmCommand& command;
   const ShoulderSolution& solution;
+  const RowOptions& options;
 };
 
 // Columns of the output that are written together, each with a comma before it. Further ones are a
@@ -98,6 +100,26 @@ std::vector<std::string> RateNames() {
   return names;
 }
 
+void AppendPoints(std::string& text, const Answer& answer) {
+  for (const ShoulderPoint& point :
+       ShoulderPoints(*answer.options.points_of, answer.solution.pose)) {
+    for (int axis = 0; axis < 3; ++axis) {
+      text += ',';
+      AppendRounded(text, point.p_mm[axis]);
+    }
+  }
+}
+
+std::vector<std::string> PointNames(const Anatomy& anatomy) {
+  std::vector<std::string> names;
+  for (const ShoulderPoint& point : ShoulderPoints(anatomy, {})) {
+    for (const char* axis : {"_x_mm", "_y_mm", "_z_mm"}) {
+      names.push_back(point.name + axis);
+    }
+  }
+  return names;
+}
+
 // In the order of the output.
 std::vector<AnswerColumns> AllAnswerColumns(const RowOptions& options) {
   std::vector<std::string> angles;
@@ -110,6 +132,9 @@ std::vector<AnswerColumns> AllAnswerColumns(const RowOptions& options) {
   if (options.has_rates) {
     columns.push_back({RateNames(), AppendRates});
   }
+  if (options.points_of) {
+    columns.push_back({PointNames(*options.points_of), AppendPoints});
+  }
   return columns;
 }
 
@@ -117,9 +142,9 @@ std::vector<AnswerColumns> AllAnswerColumns(const RowOptions& options) {
 class RowColumns {
  public:
   // Throws InputError at the header if a column is missing, stands there beside the option that
-  // replaces it, or would stand twice in the output.
+  // replaces it, or would stand twice in the output. The options have to outlive it.
   RowColumns(const CsvReader& csv, const RowOptions& options)
-      : answers_(AllAnswerColumns(options)) {
+      : options_(options), answers_(AllAnswerColumns(options)) {
     for (const CommandColumn& column : kCommandColumns) {
       const std::optional<double> option_deg =
           column.option == nullptr ? std::nullopt : options.*column.option_deg;
@@ -165,7 +190,7 @@ class RowColumns {
     const ShoulderSolution solution = rhythm.Solve(command);
     text += row.line();
     for (const AnswerColumns& columns : answers_) {
-      columns.append(text, {rhythm, command, solution});
+      columns.append(text, {rhythm, command, solution, options_});
     }
     text += '\n';
   }
@@ -178,6 +203,7 @@ class RowColumns {
     double upper_deg;
   };
 
+  const RowOptions& options_;
   std::vector<ReadColumn> commands_;
   ArmCommand unless_given_;  ///< what a row without a column for it asks
   std::vector<AnswerColumns> answers_;

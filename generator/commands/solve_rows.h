@@ -11,6 +11,7 @@
 #include <string>
 
 #include "kinematics/shoulder_rhythm.h"
+#include "tables/anatomy.h"
 
 namespace girdle {
 
@@ -38,7 +39,9 @@ struct RowOptions {
   std::optional<double> axial_deg;
   std::optional<double> shrug_deg;
   std::optional<double> protraction_deg;
-  bool has_rates = false;   ///< with the derivatives of the joints' rotations
+  bool has_rates = false;  ///< with the derivatives of the joints' rotations
+  /// Whose ShoulderPoints are written too, if anybody's.
+  std::optional<Anatomy> points_of;
   std::size_t threads = 1;  ///< at least 1
 };
 
@@ -50,6 +53,8 @@ struct RowOptions {
 /// With rates three columns a joint for each of elevation and plane, `sc_w_elevation_x` and so on:
 /// the angular velocity of the child in the parent, in the parent's axes [deg per deg]. The
 /// interpolation has to be smooth.
+///
+/// With points three columns for each of them, `elbow_x_mm` and so on, in the thorax frame.
 ///
 /// Throws InputError, with file and line, at the first row that cannot be solved. A file that was
 /// to be written is then as it was before; standard output has whole rows from before that row.

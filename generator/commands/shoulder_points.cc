@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "commands/shoulder_points.h"
+
+#include <algorithm>
+
+#include "tables/posed_bones.h"
+
+namespace girdle {
+namespace {
+
+constexpr double kMillimetersPerM = 1e3;
+
+// ASCII alone: landmarks are abbreviations.
+std::string InSmallLetters(std::string_view name) {
+  std::string small(name);
+  std::transform(small.begin(), small.end(), small.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return small;
+}
+
+}  // namespace
+
+std::vector<ShoulderPoint> ShoulderPoints(const Anatomy& anatomy, const ShoulderPose& pose) {
+  std::vector<ShoulderPoint> points = {
+      {"elbow",
+       kMillimetersPerM * InThorax_m(anatomy, pose, Segment::kHumerus, anatomy.elbow_m())}};
+  for (std::size_t i = 0; i < kLandmarkCount; ++i) {
+    if (kLandmarks[i].sided) {  // the others are of the thorax and stay where they are
+      points.push_back(
+          {InSmallLetters(kLandmarks[i].name),
+           kMillimetersPerM * LandmarkInThorax_m(anatomy, pose, static_cast<Landmark>(i))});
+    }
+  }
+  return points;
+}
+
+}  // namespace girdle

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+/// The points of a shoulder that `girdle solve --landmarks` prints: their names and where they are.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "kinematics/shoulder_pose.h"
+#include "tables/anatomy.h"
+
+namespace girdle {
+
+/// A point in the thorax frame: x anterior, y up, z to the right, origin IJ [mm].
+struct ShoulderPoint {
+  std::string name;  ///< in small letters, as columns have it
+  Vector3 p_mm;
+};
+
+/// Returns where the elbow, middle of the epicondyles, and the landmarks on clavicle, scapula and
+/// humerus are in a pose, in the order of the output: `elbow`, then SC and the others in the order
+/// of kLandmarks. Always the same names, whatever pose and anatomy.
+[[nodiscard]] std::vector<ShoulderPoint> ShoulderPoints(const Anatomy& anatomy,
+                                                        const ShoulderPose& pose);
+
+}  // namespace girdle

@@ -1,0 +1,101 @@
+# SPDX-FileCopyrightText: 2026 The Girdle authors
+# SPDX-License-Identifier: Apache-2.0
+"""Fig. 14 of the paper: the skin near the AC joint, with the measured girdle and with GH alone."""
+
+from __future__ import annotations
+
+from bodies import Body
+from figure import Figure, NumberTable, significant
+from girdle_program import Girdle
+from matplotlib import pyplot as plt
+from panels import View, compose, draw, drawn
+
+ELEVATIONS_DEG = (90, 120)
+CAMERAS = ("front", "back")
+GIRDLES = {"measured": "(a) measured girdle", "frozen": "(b) GH alone"}
+
+SIZE = 1800
+QUICK_SIZE = 300
+# Around the right shoulder, which is on the left of a picture from the front.
+KEPT = {"front": (0.2, 0.5, 0.27, 0.57), "back": (0.5, 0.8, 0.27, 0.57)}
+
+
+def pictures(girdle: Girdle, body: Body, quick: bool) -> plt.Figure:
+    size = QUICK_SIZE if quick else SIZE
+    panels = [
+        [
+            draw(
+                girdle,
+                body,
+                elevation,
+                View(camera, "skin", size, size, motion, "right", KEPT[camera]),
+            )
+            for camera in CAMERAS
+            for elevation in ELEVATIONS_DEG
+        ]
+        for motion in GIRDLES
+    ]
+    columns = [f"{camera}, {elevation}°" for camera in CAMERAS for elevation in ELEVATIONS_DEG]
+    return compose(panels, columns, list(GIRDLES.values()), panel_width=2.6)
+
+
+def make(girdle: Girdle, body: Body, quick: bool) -> Figure:
+    figure = Figure(
+        f"figure_14_skin_near_ac_{body.name}",
+        f"Fig. 14. Skin near the AC joint: {body.title}",
+        "(a) The girdle moves as measured. (b) Clavicle and scapula stay where the skin was bound "
+        "and the arm turns in the glenohumeral joint alone, to where it points in (a). The numbers "
+        "are those of girdle verify on the same model with either girdle; in the columns of (b) "
+        "FAIL is what is meant to happen.",
+        "Four close-ups of the right shoulder in two rows, from the front and the back at 90 and "
+        "120 degrees. In the upper row the shoulder rises and rounds with the arm; in the lower one "
+        "it stays down, and the skin folds where the arm is hinged.",
+        [skin_lines(girdle, body)],
+    )
+    return drawn(girdle, figure, lambda: pictures(girdle, body, quick))
+
+
+def skin_lines(girdle: Girdle, body: Body) -> NumberTable:
+    """What `girdle verify` says of the skin, of one girdle beside the other."""
+    reports = {
+        motion: {
+            (line["group"], line["item"]): line
+            for line in girdle.answer(
+                "verify",
+                body.scene,
+                *(() if motion == "measured" else ("--girdle", motion)),
+                may_exceed=True,
+            )["residuals"]
+            if line["group"].startswith("skin")
+        }
+        for motion in GIRDLES
+    }
+    rows = []
+    for key in {**reports["measured"], **reports["frozen"]}:
+        lines = [reports[motion].get(key) for motion in GIRDLES]
+        line = next(line for line in lines if line is not None)
+        row = [what_of(line)]
+        for each in lines:
+            row += ["-", ""] if each is None else [significant(each["value"], 3), verdict(each)]
+        rows.append([*row, line["unit"], required(line)])
+    return NumberTable(
+        "Skin lines of girdle verify",
+        ["of", "(a) measured", "", "(b) GH alone", "", "unit", "tolerance"],
+        rows,
+    )
+
+
+def what_of(line: dict) -> str:
+    """What a line is about, with what its group has in its name beside skin."""
+    beside = line["group"].removeprefix("skin").strip(" ,:")
+    return f"{beside}, {line['item']}" if beside else line["item"]
+
+
+def verdict(line: dict) -> str:
+    if line["tolerance"] is None:
+        return "stated"
+    return "pass" if line["passed"] else "FAIL"
+
+
+def required(line: dict) -> str:
+    return "-" if line["tolerance"] is None else significant(line["tolerance"], 3)
