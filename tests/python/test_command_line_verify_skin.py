@@ -1,0 +1,475 @@
+# SPDX-FileCopyrightText: 2026 The Girdle authors
+# SPDX-License-Identifier: Apache-2.0
+"""`girdle verify` on models with a skin: the measured girdle passes, a frozen one fails, and what is
+wrong with a skin is found in its own line."""
+
+from __future__ import annotations
+
+import csv
+import json
+import struct
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+from xml.etree import ElementTree
+
+import mujoco
+import numpy as np
+import pytest
+from conftest import ABOVE_TOLERANCE, MODEL_FILE, SCENE_FILE, Girdle, Refuses, RunProgram
+from reference_rhythm import DATABASE, Array
+
+SKIN_FILE = "skin_right.skn"
+PLANES_DEG = (0, 40, 90)
+
+RISES = {f"acromion's skin rises, plane {plane}" for plane in PLANES_DEG}
+SQUEEZED = "area below half, plane 0"
+BLEND = "MuJoCo - linear blend"
+POSE = "MuJoCo - pose asked for"
+BOUND = "bones - where they were bound"
+DEPTH = "depth of landmarks, bind pose"
+RATIO = "jump of AC skin over elevation knots, squad of slerp's"
+SMOOTH = {f"jump of all landmarks over {knots} knots, smooth" for knots in ("elevation", "plane")}
+
+# All lines that can fail.
+CHECKED = RISES | SMOOTH | {SQUEEZED, BLEND, POSE, BOUND, DEPTH, RATIO}
+# What an arm that turns in GH alone does to skin.
+FROZEN_FAILS = RISES | {SQUEEZED}
+
+# MuJoCo's vertices are single precision, a metre and a half above the floor [mm].
+SINGLE_PRECISION_MM = 1e-3
+
+
+@pytest.fixture(scope="session")
+def skinned(run_program: RunProgram, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The folder of a model with a skin, which no test writes to."""
+    folder = tmp_path_factory.mktemp("skinned")
+    run_program("generate", "--skin", "implicit", "--out", folder)
+    return folder
+
+
+@dataclass(frozen=True)
+class Report:
+    """What `verify --json` prints."""
+
+    code: int
+    answer: dict[str, Any]
+
+    @property
+    def skin(self) -> dict[str, dict[str, Any]]:
+        return {r["item"]: r for r in self.answer["residuals"] if r["group"] == "skin"}
+
+    @property
+    def others(self) -> list[dict[str, Any]]:
+        return [r for r in self.answer["residuals"] if r["group"] != "skin"]
+
+    @property
+    def failed(self) -> set[str]:
+        """Failed lines of the skin; nothing else may fail."""
+        assert all(r["passed"] for r in self.others)
+        failed = {item for item, r in self.skin.items() if not r["passed"]}
+        assert self.code == (ABOVE_TOLERANCE if failed else 0)
+        assert self.answer["passed"] == (not failed)
+        return failed
+
+
+@pytest.fixture(scope="session")
+def measured(run_program: RunProgram, skinned: Path) -> Report:
+    return Report(0, json.loads(run_program("verify", skinned / SCENE_FILE, "--json")))
+
+
+def verify(girdle: Girdle, scene: Path, *options: str) -> Report:
+    finished = girdle("verify", scene, "--json", *options)
+    assert finished.message == "", finished.command
+    return Report(finished.code, json.loads(finished.text))
+
+
+# --- Measured and frozen -------------------------------------------------------------------------
+
+
+def test_a_measured_girdle_passes_all_that_can_fail(measured: Report) -> None:
+    assert measured.failed == set()
+    assert {i for i, r in measured.skin.items() if r["tolerance"] is not None} == CHECKED
+
+
+def test_a_girdle_is_measured_unless_told_otherwise(
+    girdle: Girdle, skinned: Path, measured: Report
+) -> None:
+    assert verify(girdle, skinned / SCENE_FILE, "--girdle", "measured") == measured
+
+
+def test_a_frozen_girdle_fails_in_what_it_does_to_skin(
+    girdle: Girdle, skinned: Path, measured: Report
+) -> None:
+    frozen = verify(girdle, skinned / SCENE_FILE, "--girdle", "frozen")
+    assert frozen.failed == FROZEN_FAILS
+    assert frozen.skin.keys() == measured.skin.keys()
+    assert frozen.others == measured.others
+    assert frozen.answer["kind"] == measured.answer["kind"] + ", skin of a frozen girdle"
+    # A bound between two values that nearly meet would tell nothing apart.
+    for plane in PLANES_DEG:
+        assert measured.skin[f"acromion's skin rises, plane {plane}"]["value"] > 8
+        assert frozen.skin[f"acromion's skin rises, plane {plane}"]["value"] < 4
+        assert frozen.skin[f"acromion's bone rises, plane {plane}"]["value"] == 0
+    assert measured.skin[SQUEEZED]["value"] < 5
+    assert frozen.skin[SQUEEZED]["value"] > 10
+
+
+@pytest.mark.parametrize(
+    "options",
+    [
+        ("--side", "left", "--assembly", "loop"),
+        ("--side", "both", "--actuation", "position"),
+        ("--interpolation", "squad", "--closure", "table"),
+    ],
+    ids="-".join,
+)
+def test_every_kind_of_model_tells_them_apart(
+    girdle: Girdle, girdle_fine: Girdle, tmp_path: Path, options: tuple[str, ...]
+) -> None:
+    girdle_fine("generate", "--skin", "implicit", *options, "--out", "model")
+    (scene,) = (tmp_path / "model").glob("scene*.xml")
+    sides = [", right", ", left"] if "both" in options else [""]
+    assert verify(girdle, scene).failed == set()
+    assert verify(girdle, scene, "--girdle", "frozen").failed == {
+        line + side for line in FROZEN_FAILS for side in sides
+    }
+
+
+def test_a_small_person_is_measured_by_a_small_ruler(
+    girdle: Girdle, girdle_fine: Girdle, tmp_path: Path
+) -> None:
+    girdle_fine("generate", "--skin", "implicit", "--stature", "1.2", "--out", "model")
+    scene = tmp_path / "model" / SCENE_FILE
+    report = verify(girdle, scene, "--stature", "1.2")
+    assert report.failed == set()
+    for line in RISES:
+        assert report.skin[line]["tolerance"] == pytest.approx(8 * 1.2 / 1.71)
+    # Held against an adult's bones the skin is not where they take it.
+    assert not verify(girdle, scene).skin[POSE]["passed"]
+
+
+# --- The numbers, from MuJoCo in another program -------------------------------------------------
+
+
+@pytest.fixture(scope="session")
+def raised(
+    run_program: RunProgram, skinned: Path, tmp_path_factory: pytest.TempPathFactory
+) -> mujoco.MjModel:
+    """The same skin on bones that need no plugin, with keyframes at 30 and 120."""
+    folder = tmp_path_factory.mktemp("raised")
+    run_program("generate", "--skin", "implicit", "--actuation", "position", "--out", folder)
+    (skin,) = folder.glob("*.skn")
+    assert skin.read_bytes() == (skinned / SKIN_FILE).read_bytes()
+    (scene,) = folder.glob("scene*.xml")
+    return mujoco.MjModel.from_xml_path(str(scene))
+
+
+def drawn_vertices(model: mujoco.MjModel, keyframe: str) -> Array:
+    data = mujoco.MjData(model)
+    mujoco.mj_resetDataKeyframe(model, data, model.key(keyframe).id)
+    mujoco.mj_forward(model, data)
+    scene = mujoco.MjvScene(model, 1000)
+    mujoco.mjv_updateScene(
+        model,
+        data,
+        mujoco.MjvOption(),
+        None,
+        mujoco.MjvCamera(),
+        mujoco.mjtCatBit.mjCAT_ALL.value,
+        scene,
+    )
+    return np.array(scene.skinvert, dtype=float).reshape(-1, 3)
+
+
+def test_the_skin_rises_as_mujoco_draws_it(raised: mujoco.MjModel, measured: Report) -> None:
+    acromion = raised.numeric("skin_acromion_r").data.astype(int)
+    assert len(acromion) == 3
+    low, high = (
+        drawn_vertices(raised, f"abduction_{elevation}")[acromion, 2].mean()
+        for elevation in (30, 120)
+    )
+    line = measured.skin["acromion's skin rises, plane 0"]
+    assert line["value"] == pytest.approx(1000 * (high - low), abs=2 * SINGLE_PRECISION_MM)
+
+
+def test_skin_is_squeezed_as_mujoco_draws_it(
+    raised: mujoco.MjModel, skinned: Path, measured: Report
+) -> None:
+    skin = read_skin(skinned / SKIN_FILE)
+    corners = skin.vertices[skin.triangles]
+    near = np.linalg.norm(corners.mean(axis=1) - ac_joint(skin), axis=1) <= 0.06
+    assert 100 < near.sum() < len(near) / 2
+
+    def areas(vertices: Array) -> Array:
+        a, b, c = np.moveaxis(vertices[skin.triangles[near]], 1, 0)
+        return np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
+
+    first, now = areas(skin.vertices), areas(drawn_vertices(raised, "abduction_120"))
+    lines = measured.skin
+    # A triangle that is very nearly half as large may count or not; they have 1/4 % of the area.
+    assert lines[SQUEEZED]["value"] == pytest.approx(
+        100 * first[now < first / 2].sum() / first.sum(), abs=0.5
+    )
+    assert lines["area kept, plane 0"]["value"] == pytest.approx(
+        100 * now.sum() / first.sum(), abs=0.01
+    )
+
+
+# --- Skins with a change -------------------------------------------------------------------------
+
+
+@dataclass
+class SkinBone:
+    name: bytes
+    place: Array
+    turn: Array
+    vertices: Array
+    weights: Array
+
+
+@dataclass
+class Skin:
+    """An .skn file: four counts, vertices, triangles, bones; 32 bits a number."""
+
+    vertices: Array
+    triangles: Array
+    bones: list[SkinBone]
+
+    def bone(self, name: str) -> SkinBone:
+        (bone,) = (b for b in self.bones if b.name.rstrip(b"\0") == name.encode())
+        return bone
+
+
+def read_skin(path: Path) -> Skin:
+    content = path.read_bytes()
+    at = 0
+
+    def take(kind: str, count: int) -> Array:
+        nonlocal at
+        values = np.frombuffer(content, kind, count, at)
+        at += values.nbytes
+        return values.copy()
+
+    vertices, coordinates, triangles, bones = take("<i4", 4)
+    assert coordinates == 0
+    skin = Skin(
+        take("<f4", 3 * vertices).astype(float).reshape(-1, 3),
+        take("<i4", 3 * triangles).reshape(-1, 3),
+        [],
+    )
+    for _ in range(bones):
+        name = take("S40", 1).tobytes()
+        place, turn = take("<f4", 3).astype(float), take("<f4", 4).astype(float)
+        (count,) = take("<i4", 1)
+        skin.bones.append(
+            SkinBone(name, place, turn, take("<i4", count), take("<f4", count).astype(float))
+        )
+    assert at == len(content)
+    return skin
+
+
+def skin_bytes(skin: Skin) -> bytes:
+    parts = [
+        struct.pack("<4i", len(skin.vertices), 0, len(skin.triangles), len(skin.bones)),
+        skin.vertices.astype("<f4").tobytes(),
+        skin.triangles.astype("<i4").tobytes(),
+    ]
+    for bone in skin.bones:
+        parts += [
+            bone.name.ljust(40, b"\0"),
+            bone.place.astype("<f4").tobytes(),
+            bone.turn.astype("<f4").tobytes(),
+            struct.pack("<i", len(bone.vertices)),
+            bone.vertices.astype("<i4").tobytes(),
+            bone.weights.astype("<f4").tobytes(),
+        ]
+    return b"".join(parts)
+
+
+def rotated(turn: Array, vector: Array) -> Array:
+    """A vector turned by a unit quaternion w, x, y, z."""
+    w, axis = turn[0], turn[1:]
+    across = np.cross(axis, vector)
+    return vector + 2 * (w * across + np.cross(axis, across))
+
+
+def ac_joint(skin: Skin) -> Array:
+    """Centre of the AC joint where the skin was bound, from the measured landmarks."""
+    with DATABASE.with_name("landmarks.csv").open(encoding="utf-8") as lines:
+        rows = csv.DictReader(line for line in lines if not line.startswith("#"))
+        (row,) = (row for row in rows if row["landmark"] == "ACJ")
+    assert row["segment"] == "scapula"
+    bone = skin.bone("scapula_r")
+    return bone.place + rotated(bone.turn, np.array([float(row[f"{axis}_m"]) for axis in "xyz"]))
+
+
+EditXml = Callable[[ElementTree.Element], None]
+WriteSkinned = Callable[..., Path]
+
+
+@pytest.fixture
+def write_skinned(skinned: Path, tmp_path: Path) -> WriteSkinned:
+    """Writes the model with its skin and its XML edited into the test's folder."""
+
+    def write(
+        edit_skin: Callable[[Skin], None] = lambda skin: None,
+        edit_xml: EditXml = lambda root: None,
+    ) -> Path:
+        skin = read_skin(skinned / SKIN_FILE)
+        edit_skin(skin)
+        (tmp_path / SKIN_FILE).write_bytes(skin_bytes(skin))
+        tree = ElementTree.parse(skinned / MODEL_FILE)
+        edit_xml(tree.getroot())
+        tree.write(tmp_path / MODEL_FILE)
+        scene = tmp_path / SCENE_FILE
+        scene.write_bytes((skinned / SCENE_FILE).read_bytes())
+        return scene
+
+    return write
+
+
+def test_a_skin_written_anew_is_the_same(
+    girdle: Girdle, skinned: Path, write_skinned: WriteSkinned
+) -> None:
+    """The control of all that follows."""
+    assert skin_bytes(read_skin(skinned / SKIN_FILE)) == (skinned / SKIN_FILE).read_bytes()
+    assert verify(girdle, write_skinned()).failed == set()
+
+
+def test_skin_of_the_scapula_that_is_given_to_the_thorax_is_found(
+    girdle: Girdle, write_skinned: WriteSkinned
+) -> None:
+    def give_away(skin: Skin) -> None:
+        scapula, thorax = skin.bone("scapula_r"), skin.bone("thorax")
+        weights = np.zeros(len(skin.vertices))
+        for bone in (scapula, thorax):
+            weights[bone.vertices] += bone.weights
+        thorax.vertices = np.flatnonzero(weights)
+        thorax.weights = weights[thorax.vertices]
+        # A bone without a vertex is none.
+        scapula.vertices, scapula.weights = scapula.vertices[:1], scapula.weights[:1]
+
+    assert verify(girdle, write_skinned(give_away)).failed >= RISES
+
+
+def test_a_vertex_that_is_in_the_joint_is_found(
+    girdle: Girdle, write_skinned: WriteSkinned
+) -> None:
+    def push_in(skin: Skin) -> None:
+        joint = ac_joint(skin)
+        nearest = np.argmin(np.linalg.norm(skin.vertices - joint, axis=1))
+        skin.vertices[nearest] = joint
+
+    report = verify(girdle, write_skinned(push_in))
+    assert report.failed == {DEPTH}
+    assert report.skin[DEPTH]["where"] == "ACJ"
+
+
+def test_a_bone_that_was_elsewhere_when_the_skin_was_bound_is_found(
+    girdle: Girdle, write_skinned: WriteSkinned
+) -> None:
+    def shift(skin: Skin) -> None:
+        skin.bone("scapula_r").place[1] += 1e-4
+
+    report = verify(girdle, write_skinned(shift))
+    assert report.failed == {BOUND}
+    assert report.skin[BOUND]["value"] == pytest.approx(0.1, abs=0.001)
+
+
+def test_a_skin_that_is_no_linear_blend_is_found(
+    girdle: Girdle, write_skinned: WriteSkinned
+) -> None:
+    def inflate(root: ElementTree.Element) -> None:
+        (skin,) = root.findall(".//skin")
+        skin.set("inflate", "1e-4")
+
+    report = verify(girdle, write_skinned(edit_xml=inflate))
+    assert report.failed == {BLEND, POSE}
+    assert report.skin[BLEND]["value"] == pytest.approx(0.1, abs=0.001)
+
+
+# --- What is refused -----------------------------------------------------------------------------
+
+
+def set_numeric(name: str, data: str | None) -> EditXml:
+    def edit(root: ElementTree.Element) -> None:
+        (numeric,) = root.findall(f".//numeric[@name='{name}']")
+        if data is None:
+            numeric.set("name", "something_else")
+        else:
+            numeric.set("data", data)
+
+    return edit
+
+
+@pytest.mark.parametrize(
+    ("edit", "because"),
+    [
+        (set_numeric("skin_ac_r", None), r'no <numeric name="skin_ac_r">'),
+        (set_numeric("skin_acromion_r", "1 2 99999"), r'"skin_acromion_r"> holds 99999, exp'),
+        (set_numeric("skin_deltoid_r", "-1"), r'"skin_deltoid_r"> holds -1, expected'),
+        (set_numeric("skin_deltoid_r", "2.5"), r'"skin_deltoid_r"> holds 2.5, expected'),
+    ],
+    ids=["missing", "too large", "negative", "no whole number"],
+)
+def test_landmarks_that_are_no_vertices_are_refused(
+    refuses: Refuses, write_skinned: WriteSkinned, edit: EditXml, because: str
+) -> None:
+    scene = write_skinned(edit_xml=edit)
+    refuses("verify", scene, because=(because, "girdle generate --skin"))
+
+
+@pytest.mark.parametrize(
+    ("bone", "other", "because"),
+    [
+        ("scapula_r", "world", '"world", which is no bone'),
+        ("scapula_r", "clavicle_r", 'does not hang on "scapula_r"'),
+        ("thorax", "clavicle_r", 'does not hang on the body "thorax"'),
+    ],
+)
+def test_a_skin_on_other_bones_is_refused(
+    refuses: Refuses, write_skinned: WriteSkinned, bone: str, other: str, because: str
+) -> None:
+    def rename(skin: Skin) -> None:
+        skin.bone(bone).name = other.encode()
+
+    scene = write_skinned(rename)
+    refuses("verify", scene, because=(because, "girdle generate --skin"))
+
+
+def test_a_frozen_girdle_needs_a_skin(refuses: Refuses, generated: Path) -> None:
+    refuses(
+        "verify",
+        generated / SCENE_FILE,
+        "--girdle",
+        "frozen",
+        because=("has no skin", "girdle generate --skin"),
+    )
+
+
+def test_a_girdle_is_measured_or_frozen(refuses: Refuses, skinned: Path) -> None:
+    refuses(
+        "verify",
+        skinned / SCENE_FILE,
+        "--girdle",
+        "stiff",
+        because=("--girdle stiff: not known", "measured, frozen"),
+    )
+
+
+def test_a_mapped_model_has_no_girdle_to_choose(refuses: Refuses, generated: Path) -> None:
+    refuses(
+        "verify",
+        generated / SCENE_FILE,
+        "--mapping",
+        "mapping.csv",
+        "--girdle",
+        "frozen",
+        because=("--girdle is for the skin", "Leave it away"),
+    )
+
+
+def test_a_model_without_a_skin_has_no_lines_of_it(girdle: Girdle, generated: Path) -> None:
+    assert verify(girdle, generated / SCENE_FILE).skin == {}
