@@ -67,8 +67,8 @@ double Area_m2(const std::vector<Vector3>& vertices_m, const Triangle& triangle)
 
 }  // namespace
 
-SkinOnBones::SkinOnBones(BoundSkin skin, Anatomy anatomy)
-    : skin_(std::move(skin)), bones_(BonesNamed(skin_.bones)), anatomy_(std::move(anatomy)) {}
+SkinOnBones::SkinOnBones(BoundSkin skin, const Anatomy& anatomy)
+    : skin_(std::move(skin)), bones_(BonesNamed(skin_.bones)), anatomy_(anatomy) {}
 
 ShoulderPose SkinOnBones::BindPose(Side side) const {
   const auto bind = [&](Segment segment) {

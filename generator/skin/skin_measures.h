@@ -20,7 +20,7 @@ class SkinOnBones {
  public:
   /// `skin` is given in the frame of its thorax. Throws std::invalid_argument that names the bone
   /// if one of the skin's is none of SkinBonesOf.
-  SkinOnBones(BoundSkin skin, Anatomy anatomy);
+  SkinOnBones(BoundSkin skin, const Anatomy& anatomy);
 
   [[nodiscard]] const BoundSkin& bound() const noexcept { return skin_; }
   [[nodiscard]] const Anatomy& anatomy() const noexcept { return anatomy_; }
