@@ -31,7 +31,7 @@ constexpr double kAcromionRise_mm = 8;
 constexpr double kBelowHalf_percent = 5;
 // Skin about the joint, in an adult.
 constexpr double kAroundAc_m = 0.06;
-// Skin and what lies between it and the bone.
+// Skin and what lies between it and the bone, of people of any size.
 constexpr double kDepth_mm = 3;
 // Squad is as smooth over elevation as published: what is left of slerp's jumps is its second
 // derivative over the step of the differences.
@@ -304,8 +304,8 @@ void SkinMeter::AddDepths(std::vector<Residual>& lines) const {
         std::string(kLandmarks[static_cast<std::size_t>(least - depths_m.begin())].name));
   };
   const auto [bound_mm, bound_name] = shallowest(bind_);
-  lines.push_back({kGroup, "depth of landmarks, bind pose", bound_mm, "mm", size_ * kDepth_mm,
-                   bound_name, Bound::kMoreThan});
+  lines.push_back({kGroup, "depth of landmarks, bind pose", bound_mm, "mm", kDepth_mm, bound_name,
+                   Bound::kMoreThan});
 
   Residual posed{kGroup,
                  "depth of landmarks, all poses",
