@@ -106,7 +106,9 @@ using LandmarkLargest = std::array<LargestAt, kSkinLandmarkCount>;
 using LandmarkDepths = std::array<double, kLandmarkCount>;
 
 /// Returns the depths with the skin's vertices and the bones in a pose. Those of the thorax lie in
-/// the median plane if the skin covers both shoulders.
+/// the median plane if the skin covers both shoulders. Where skin runs through itself, an elbow in
+/// the belly or one arm in the other, the nearest sheet counts although it is no outside: a bone is
+/// then deeper than this says.
 [[nodiscard]] LandmarkDepths LandmarkDepths_m(const SkinOnBones& skin, const ShoulderPose& pose,
                                               Side side);
 
