@@ -30,7 +30,7 @@ constexpr const char* kImplicitWord = "implicit";
 constexpr std::array<std::string_view, 3> kMeshSuffixes = {".glb", ".gltf", ".obj"};
 
 // Words for what becomes of the head, in the order of Head.
-constexpr std::array<std::string_view, 2> kHeadNames = {"cut", "keep"};
+constexpr std::array<std::string_view, 2> kHeadNames = {"keep", "cut"};
 
 // The heat alone makes the border of the scapula too sharp, the artist alone hardly moves skin with
 // clavicle and scapula.
@@ -91,7 +91,7 @@ void AddSkinArguments(CLI::App& verb, SkinArguments& arguments) {
                   "Of the person whose mesh it is: a CSV in the mesh's coordinates, with 'lab' as "
                   "the segment of every row, as in data/example_lab_landmarks.csv")
       ->type_name("FILE");
-  verb.add_option("--head", arguments.head, "Of a folder's body: cut (default) or keep")
+  verb.add_option("--head", arguments.head, "Of a folder's body: keep (default) or cut")
       ->type_name("WORD");
 }
 
@@ -113,7 +113,7 @@ std::optional<ChosenBody> BodyFor(const SkinArguments& arguments, const AnatomyA
   ChosenBody chosen;
   chosen.has_own_bones = true;
   if (source == Source::kFolder) {
-    Head head = Head::kCut;
+    Head head = Head::kKept;
     ChooseWord("--head", arguments.head, kHeadNames, head);
     FittedBody fitted = FitBones(ReadMakeHumanMan(arguments.skin), BuiltInMakeHumanFit(),
                                  BuiltInAnatomy(), RelaxedStanding(), BuiltInRhythm(), head);

@@ -42,7 +42,7 @@ class Cutter {
     return height_m_[static_cast<std::size_t>(vertex)];
   }
 
-  // A vertex that is `share_of_b` of the way from a to b.
+  // A vertex amid others, which have shares of 1 in sum.
   int Append(const std::vector<std::pair<int, double>>& shares) {
     const auto blend = [&shares](const auto& values) {
       auto sum = shares[0].second * values[static_cast<std::size_t>(shares[0].first)];
@@ -104,13 +104,29 @@ class Cutter {
         rim.push_back(at->second);
         next.erase(at);
       }
-      std::vector<std::pair<int, double>> shares;
-      for (const int vertex : rim)
-        shares.emplace_back(vertex, 1.0 / static_cast<double>(rim.size()));
-      const int middle = Append(shares);
-      for (std::size_t i = 0; i < rim.size(); ++i) {
-        surface_.mesh.triangles.push_back({rim[i], rim[(i + 1) % rim.size()], middle});
-      }
+      CloseLid(rim);
+    }
+  }
+
+  // A narrow ring inside the rim keeps the lid from bending the normals of what it closes.
+  void CloseLid(const std::vector<int>& rim) {
+    constexpr double kRingShare = 0.03;
+    std::vector<std::pair<int, double>> shares;
+    shares.reserve(rim.size());
+    for (const int vertex : rim) {
+      shares.emplace_back(vertex, 1.0 / static_cast<double>(rim.size()));
+    }
+    const int middle = Append(shares);
+    std::vector<int> ring;
+    ring.reserve(rim.size());
+    for (const int vertex : rim) {
+      ring.push_back(Append({{vertex, 1 - kRingShare}, {middle, kRingShare}}));
+    }
+    for (std::size_t i = 0; i < rim.size(); ++i) {
+      const std::size_t j = (i + 1) % rim.size();
+      surface_.mesh.triangles.push_back({rim[i], rim[j], ring[j]});
+      surface_.mesh.triangles.push_back({rim[i], ring[j], ring[i]});
+      surface_.mesh.triangles.push_back({ring[i], ring[j], middle});
     }
   }
 

@@ -23,9 +23,9 @@ inline constexpr double kNearCut_m = 0.002;
 
 /// Returns what lies in a half space, and all of the vertices that `spared` names, with lids on the
 /// holes that the cut leaves: a closed surface stays closed. Where the cut crosses an edge there is
-/// a new vertex with the shares that are right for its place; a lid has one more in its middle.
-/// Vertices keep their order, new ones come last. A lid has to be such that one can see all of its
-/// rim from its middle.
+/// a new vertex with the shares that are right for its place; a lid has more of them inside its
+/// rim. Vertices keep their order, new ones come last. A lid has to be such that one can see all of
+/// its rim from its middle.
 [[nodiscard]] WeightedSurface Cut(const WeightedSurface& surface, const HalfSpace& kept,
                                   const std::vector<bool>& spared);
 

@@ -15,6 +15,7 @@
 #include "tables/body_size.h"
 #include "tables/built_in_files.h"
 #include "tables/csv.h"
+#include "tables/posed_bones.h"
 
 namespace girdle {
 namespace {
@@ -48,8 +49,12 @@ struct TextRow {
 constexpr TextRow kTextRows[] = {
     {"shoulder_joint", &MakeHumanFit::shoulder_joint},
     {"elbow_joint", &MakeHumanFit::elbow_joint},
+    {"wrist_joint", &MakeHumanFit::wrist_joint},
 };
 constexpr std::string_view kVertexRow = "notch_vertex";
+
+// Where an upper arm begins to twist when its forearm is turned, as a share of its length.
+constexpr double kTwistBegins = 0.4;
 
 Vector3 Rounded(const Vector3& position_m) {
   const double steps = std::pow(10.0, kLandmarkDecimals);
@@ -118,18 +123,43 @@ void PlaceBones(const MakeHumanBody& man, const MakeHumanFit& fit, const Vector3
   anatomy.jugular_notch_height_m = -ground_m;
 }
 
-// Which vertices move with an arm: they hang beside the trunk below its cut.
-std::vector<bool> ArmsOf(const SkinWeights& artist) {
+// Which vertices move with the arms of these sides.
+std::vector<bool> ArmsOf(const SkinWeights& artist, const std::vector<Side>& sides) {
   const auto bones = SkinBonesOf({Side::kRight, Side::kLeft});
   std::vector<bool> is_arm(artist[0].size());
   for (std::size_t i = 0; i < is_arm.size(); ++i) {
     double share = 0;
     for (std::size_t k = 0; k < bones.size(); ++k) {
-      if (bones[k].segment == Segment::kHumerus) share += artist[k][i];
+      const bool is_of_side = std::find(sides.begin(), sides.end(), bones[k].side) != sides.end();
+      if (bones[k].segment == Segment::kHumerus && is_of_side) share += artist[k][i];
     }
     is_arm[i] = share > 0.5;
   }
   return is_arm;
+}
+
+// Turns the forearms about the humeri until they point to where these bend the elbow: along x.
+void TurnForearms(const Vector3& forearm_m, const SkinWeights& artist, PosedBody& body) {
+  const Quaternion q_TH = body.pose.q_TH();
+  const Vector3 in_humerus = glm::conjugate(q_TH) * forearm_m;
+  const double turn_rad = std::atan2(in_humerus.z, in_humerus.x);
+  const double length_m = glm::length(body.anatomy.elbow_m());
+  for (const Side side : {Side::kRight, Side::kLeft}) {
+    const std::vector<bool> is_arm = ArmsOf(artist, {side});
+    const auto on_right = [side](const Vector3& p_m) {
+      return side == Side::kRight ? p_m : Mirrored(p_m);
+    };
+    const Vector3 shoulder_m = InThorax_m(body.anatomy, body.pose, Segment::kHumerus, {0, 0, 0});
+    for (std::size_t i = 0; i < is_arm.size(); ++i) {
+      if (!is_arm[i]) continue;
+      Vector3& vertex = body.surface.vertices_m[i];
+      const Vector3 p_H = glm::conjugate(q_TH) * (on_right(vertex) - shoulder_m);
+      const double share =
+          std::clamp((-p_H.y / length_m - kTwistBegins) / (1 - kTwistBegins), 0.0, 1.0);
+      const Quaternion twist = QuaternionFromEuler(EulerSequence::kYXZ, {share * turn_rad, 0, 0});
+      vertex = on_right(shoulder_m + q_TH * (twist * p_H));
+    }
+  }
 }
 
 }  // namespace
@@ -182,10 +212,18 @@ FittedBody FitBones(const MakeHumanBody& man, const MakeHumanFit& fit, const Ana
   FittedBody fitted;
   PlaceBones(man, fit, notch_m, adult, relaxed, rhythm, fitted.body);
 
-  WeightedSurface surface{InThorax(man.surface, notch_m), man.artist};
-  surface = Cut(surface, {{0, -fit.waist_below_notch_m, 0}, {0, -1, 0}}, ArmsOf(surface.weights));
+  fitted.body.surface = InThorax(man.surface, notch_m);
+  TurnForearms(JointOf(man, fit.wrist_joint) - JointOf(man, fit.elbow_joint), man.artist,
+               fitted.body);
+
+  // Arms hang beside the trunk below its cut.
+  const std::vector<Side> both = {Side::kRight, Side::kLeft};
+  WeightedSurface surface{std::move(fitted.body.surface), man.artist};
+  surface =
+      Cut(surface, {{0, -fit.waist_below_notch_m, 0}, {0, -1, 0}}, ArmsOf(surface.weights, both));
   if (head == Head::kCut) {
-    surface = Cut(surface, {{0, fit.neck_above_notch_m, 0}, {0, 1, 0}}, ArmsOf(surface.weights));
+    surface =
+        Cut(surface, {{0, fit.neck_above_notch_m, 0}, {0, 1, 0}}, ArmsOf(surface.weights, both));
   }
   fitted.body.surface = std::move(surface.mesh);
   fitted.artist = std::move(surface.weights);

@@ -25,6 +25,7 @@ struct MakeHumanFit {
   double shoulder_medially_m = 0;  ///< how far GH lies medially of it
   std::string elbow_joint;         ///< beside the middle of the epicondyles
   double elbow_medially_m = 0;     ///< how far that lies medially of it
+  std::string wrist_joint;         ///< a hand's end of the forearm
   double thorax_scale = 1;         ///< times the adult's bone
   double scapula_scale = 1;        ///< times the adult's bone
   double waist_below_notch_m = 0;  ///< where the trunk is cut
@@ -38,7 +39,7 @@ struct MakeHumanFit {
 /// Returns that of data/.
 [[nodiscard]] MakeHumanFit BuiltInMakeHumanFit();
 
-enum class Head { kCut, kKept };
+enum class Head { kKept, kCut };
 
 /// An upper body with bones, and the shares that an artist gave the bones in its skin.
 struct FittedBody {
@@ -55,8 +56,9 @@ struct FittedBody {
 ///
 /// The clavicle is turned from `relaxed` by the smallest rotation that points it at PAC; GH is what
 /// is left. About its long axis the humerus is turned as `rhythm` turns it at this elevation and
-/// plane: a forearm that is bent says less of it, and the rhythm's is what it has to become
-/// without a twist of the skin. Landmarks are rounded to kLandmarkDecimals of a metre, so that a
+/// plane, and the body's bent forearms are turned with it, by a twist of the distal upper arm: so
+/// the skin of the shoulder is not twisted where the rhythm has the arm, and forearms point to
+/// where elbows bend. Landmarks are rounded to kLandmarkDecimals of a metre, so that a
 /// file of them reads back the same.
 ///
 /// Masses and ellipsoids grow with the bones; ligaments and the gliding ellipsoid are not fitted to
