@@ -58,7 +58,7 @@ constexpr Muscle kMuscles[] = {
     // Latissimus and the wall of the chest under the axilla.
     {{kT, {-102, -300, 86}, 34}, {kT, {-98, -160, 116}, 37}},
     {{kT, {-98, -160, 116}, 37}, {kH, {2, -58, -8}, 15}},
-    {{kT, {-126, -104, 125}, 32}, {kT, {-116, -190, 116}, 33}},
+    {{kT, {-126, -104, 126}, 33}, {kT, {-116, -190, 116}, 33}},
     {{kT, {-86, -110, 106}, 34}, {kH, {4, -50, -10}, 18}},
     // Pectoralis: three strands from the sternum, and from the clavicle.
     {{kT, {4, -22, 24}, 14}, {kH, {14, -72, 0}, 15}},
@@ -139,8 +139,8 @@ constexpr double kShaft_mm = 27;
 // Muscles and trunk run into each other over this much.
 constexpr double kBlend_mm = 11;
 constexpr double kEdge_mm = 4;
-// Around all solids [m].
-constexpr double kMargin_m = 0.03;
+// Around all solids, in cells.
+constexpr double kMargin = 3;
 
 constexpr double kMillimeter_m = 1e-3;
 
@@ -191,10 +191,12 @@ class BodyBuilder {
   }
 
   [[nodiscard]] TriangleMesh Surface() const {
+    const double cell_m = kImplicitCell_m * scales_[static_cast<std::size_t>(kT)];
+    const double margin_m = kMargin * cell_m;
     Box box{Vector3{1, 1, 1} * 1e9, Vector3{-1, -1, -1} * 1e9};
-    const auto include = [&box](const Vector3& center_m, const Vector3& radii_m) {
-      box.lowest_m = glm::min(box.lowest_m, center_m - radii_m - kMargin_m);
-      box.highest_m = glm::max(box.highest_m, center_m + radii_m + kMargin_m);
+    const auto include = [&box, margin_m](const Vector3& center_m, const Vector3& radii_m) {
+      box.lowest_m = glm::min(box.lowest_m, center_m - radii_m - margin_m);
+      box.highest_m = glm::max(box.highest_m, center_m + radii_m + margin_m);
     };
     const auto include_cones = [&include](const SmoothUnion& solids) {
       for (const RoundCone& cone : solids.cones) {
@@ -207,7 +209,7 @@ class BodyBuilder {
     for (const TurnedEllipsoid& ellipsoid : solids_.ellipsoids) {
       include(ellipsoid.center_m, ellipsoid.radii_m);
     }
-    return SurfaceNets(solids_, box, kImplicitCell_m * scales_[static_cast<std::size_t>(kT)]);
+    return SurfaceNets(solids_, box, cell_m);
   }
 
  private:

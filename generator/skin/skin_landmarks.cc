@@ -12,9 +12,9 @@
 namespace girdle {
 namespace {
 
-// As far from the bone as no arm's skin is [m]: the vertex nearest to a point so far out lies on
-// that side.
-constexpr double kOutside_m = 0.08;
+// As far from the bone as no arm's skin is, in lengths of the upper arm: the vertex nearest to a
+// point so far out lies on that side.
+constexpr double kOutside = 0.28;
 
 std::vector<int> NearestVertices(const TriangleMesh& surface, const Vector3& point_m,
                                  std::size_t count) {
@@ -55,7 +55,7 @@ SkinLandmarkVertices FindSkinLandmarks(const PosedBody& body, Side side) {
       at(Segment::kScapula, AcromionTip_m(anatomy)),
       at(Segment::kClavicle, anatomy.landmark_m(Landmark::kPAC) / 2.0),
       at(Segment::kScapula, (root + angle) / 2.0),
-      shoulder + (elbow - shoulder) / 3.0 + outward * kOutside_m,
+      shoulder + (elbow - shoulder) / 3.0 + outward * (kOutside * glm::length(elbow - shoulder)),
   };
   SkinLandmarkVertices vertices;
   for (std::size_t i = 0; i < kSkinLandmarkCount; ++i) {
