@@ -14,6 +14,7 @@ import shutil
 import sys
 import tempfile
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 import abduction
@@ -149,11 +150,12 @@ def make_all(girdle: Girdle, body_folder: Path | None, notes: list[str], quick: 
     for title, make in PLOTS:
         say(title)
         figures.append(make(girdle, quick))
-    bodies = [implicit_body(girdle)]
+    makers = [implicit_body]
     if body_folder is not None:
-        bodies.append(human_body(girdle, body_folder))
-    generation = girdle.take_commands()
-    for body in bodies:
+        makers.append(partial(human_body, folder=body_folder))
+    for make_body in makers:
+        body = make_body(girdle)
+        generation = girdle.take_commands()
         for figure in body_figures(girdle, body, quick):
             figure.commands = generation + figure.commands
             figures.append(figure)

@@ -31,6 +31,7 @@ PYTHON = "/usr/bin/python3"
 TIMEOUT_S = 240
 FAILED = 1
 
+NOTE = "The man is missing: <no network> & no body"
 LEFT_OVER = "of_an_earlier_run.png"
 PICTURED = [
     "figure_11_abduction_front_implicit",
@@ -165,7 +166,7 @@ def figures_without_gl(
     out.mkdir()
     shutil.copy(figures / "index.html", out)
     (out / LEFT_OVER).touch()
-    finished = make_figures(program, out, environment={"GIRDLE_GL": "none"})
+    finished = make_figures(program, out, "--note", NOTE, environment={"GIRDLE_GL": "none"})
     assert (finished.returncode, finished.stderr) == (0, "")
     return out
 
@@ -434,6 +435,10 @@ def test_without_opengl_the_page_says_so_and_has_all_plots(figures_without_gl: P
     assert len(missing) == len(PICTURED)
     assert all("cannot draw pictures" in section.text and not section.pictures for section in missing)
     assert all(page.sections[name].pictures for name in PLOTTED)
+
+
+def test_a_remark_stands_on_the_page(figures_without_gl: Path) -> None:
+    assert NOTE in read_page(figures_without_gl).sections[""].text
 
 
 @pytest.mark.parametrize("verb", ["generate", "solve", "continuity"])
