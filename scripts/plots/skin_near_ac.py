@@ -65,7 +65,7 @@ def skin_lines(girdle: Girdle, body: Body) -> list[NumberTable]:
     """What `girdle verify` says of the skin, of one girdle beside the other: a table a side."""
     reports = {}
     for motion in GIRDLES:
-        words = [] if motion == "measured" else ["--girdle", motion]
+        words = [*body.anatomy, *([] if motion == "measured" else ["--girdle", motion])]
         # The frozen girdle has to exceed tolerances.
         report = girdle.answer("verify", body.scene, *words, may_exceed=True)
         reports[motion] = {
