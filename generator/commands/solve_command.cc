@@ -388,9 +388,9 @@ void SolveFile(const RowSource& source, const SolveArguments& arguments) {
   options.threads = ChosenThreads(arguments.threads);
   options.shrug_deg = ShrugArgument(arguments);
   options.protraction_deg = ProtractionArgument(arguments);
-  Additions additions = ChosenAdditions(arguments);
+  const Additions additions = ChosenAdditions(arguments);
   options.has_rates = additions.rates;
-  options.points_of = std::move(additions.points_of);
+  options.points_of = additions.points_of;
   if (arguments.axial_deg) {
     options.axial_deg = NumberArgument("--axial", *arguments.axial_deg);
   }

@@ -14,11 +14,9 @@ ELEVATIONS_DEG = (15, 30, 60, 90, 120)
 PAPERS_NUMBER = {"front": 11, "back": 12}
 COLUMNS = {"skin": "skin", "both": "bones in the skin"}
 # Wide enough for both arms held out.
-ASPECT = 1.75
+ASPECT = 2
 HEIGHT = 560
 QUICK_HEIGHT = 100
-# Without the sky above the hands.
-KEPT = (0, 1, 0.06, 1)
 
 
 def bone_angles(girdle: Girdle) -> NumberTable:
@@ -50,7 +48,7 @@ def pictures(girdle: Girdle, body: Body, camera: str, quick: bool) -> plt.Figure
     width = round(ASPECT * height)
     panels = [
         [
-            draw(girdle, body, elevation, View(camera, show, width, height, kept=KEPT))
+            draw(girdle, body, elevation, View(camera, show, width, height))
             for show in COLUMNS
         ]
         for elevation in ELEVATIONS_DEG

@@ -18,6 +18,8 @@ class Body:
     name: str  # of files
     title: str
     scene: str  # the model with light and floor, in the folder of the figures
+    # For `girdle verify`: whose bones the model has, if not the built-in ones.
+    anatomy: tuple[str, ...] = ()
 
 
 def implicit_body(girdle: Girdle) -> Body:
@@ -34,4 +36,8 @@ def human_body(girdle: Girdle, folder: Path) -> Body:
 def _generated(girdle: Girdle, name: str, title: str, skin: str) -> Body:
     folder = f"models/{name}"
     girdle.run("generate", "--side", "both", "--skin", skin, "--out", folder)
-    return Body(name, title, f"{folder}/scene_both.xml")
+    # A body that brings its own bones has them in a file beside its model.
+    landmarks = f"{folder}/landmarks_both.csv"
+    has_own_bones = (girdle.folder / landmarks).is_file()
+    anatomy = ("--anatomy", landmarks) if has_own_bones else ()
+    return Body(name, title, f"{folder}/scene_both.xml", anatomy)

@@ -14,6 +14,7 @@ class NumberTable:
     caption: str
     header: list[str]
     rows: list[list[str]]
+    folded: bool = False  # shown when asked for
 
 
 @dataclass

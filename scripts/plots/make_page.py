@@ -14,6 +14,7 @@ import shutil
 import sys
 import tempfile
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 import abduction
@@ -59,7 +60,7 @@ def is_number(text: str) -> bool:
     try:
         float(text)
     except ValueError:
-        return text in ("", "-")
+        return text in ("", "-") or text[:2] in ("> ", "≤ ")
     return True
 
 
@@ -72,10 +73,14 @@ def table_as_html(table: NumberTable) -> str:
             kind = "" if is_number(text) else ' class="words"'
             rows += f"<td{kind}>{html.escape(text)}</td>"
         rows += "</tr>\n"
-    return (
+    text = (
         f'<div class="scroll"><table>\n<caption>{html.escape(table.caption)}</caption>\n'
         f"<thead><tr>{cells}</tr></thead>\n<tbody>\n{rows}</tbody>\n</table></div>\n"
     )
+    if not table.folded:
+        return text
+    summary = html.escape(table.caption)
+    return f"<details><summary>{summary}</summary>\n{text}</details>\n"
 
 
 def figure_as_html(figure: Figure) -> str:
@@ -141,16 +146,19 @@ def make_all(girdle: Girdle, body_folder: Path | None, notes: list[str], quick: 
         draw_coarsely()
     version = girdle.run("--version").split()[-1]
     girdle.take_commands()
-    bodies = [implicit_body(girdle)]
-    if body_folder is not None:
-        bodies.append(human_body(girdle, body_folder))
-    generation = girdle.take_commands()
-    figures = [figure for body in bodies for figure in body_figures(girdle, body, quick)]
-    for figure in figures:
-        figure.commands = generation + figure.commands
+    figures = []
     for title, make in PLOTS:
         say(title)
         figures.append(make(girdle, quick))
+    makers = [implicit_body]
+    if body_folder is not None:
+        makers.append(partial(human_body, folder=body_folder))
+    for make_body in makers:
+        body = make_body(girdle)
+        generation = girdle.take_commands()
+        for figure in body_figures(girdle, body, quick):
+            figure.commands = generation + figure.commands
+            figures.append(figure)
     # In the paper's order; what it lacks comes after it.
     figures.sort(key=lambda figure: (not figure.name.startswith("figure_"), figure.name[:9]))
     (girdle.folder / PAGE).write_text(page(figures, version, notes))

@@ -50,11 +50,16 @@ def draw(girdle: Girdle, body: Body, elevation_deg: int, view: View) -> Numbers:
 
 
 def compose(
-    pictures: list[list[Numbers]], columns: list[str], rows: list[str], panel_width: float
+    pictures: list[list[Numbers]],
+    columns: list[str],
+    rows: list[str],
+    panel_width: float,
+    level: float | None = None,
 ) -> plt.Figure:
     """One picture of many, all of one size: a label above each column and left of each row.
 
-    `panel_width` is in inches.
+    `panel_width` is in inches. At `level`, a share of the height from above, all have a line to
+    compare heights by.
     """
     height, width = pictures[0][0].shape[:2]
     panel_height = panel_width * height / width
@@ -69,6 +74,8 @@ def compose(
         for column, column_label in enumerate(columns):
             panel = panels[row][column]
             panel.imshow(pictures[row][column], interpolation="antialiased")
+            if level is not None:
+                panel.axhline(level * height, color="white", linewidth=1, linestyle=(0, (4, 3)))
             panel.set_xticks([])
             panel.set_yticks([])
             for spine in panel.spines.values():
