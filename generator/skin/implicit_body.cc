@@ -39,22 +39,22 @@ constexpr Muscle kMuscles[] = {
     // Sternocleidomastoid.
     {{kT, {-8, 8, 16}, 6}, {kT, {-72, 128, 44}, 13}},
     // Trapezius: the neck's slope in two strands, then its middle and lower parts.
-    {{kT, {-84, 88, 34}, 20}, {kC, {-8, 2, 120}, 12}},
-    {{kT, {-98, 84, 26}, 26}, {kS, {-8, -10, -14}, 11}},
-    {{kT, {-106, 52, 22}, 25}, {kS, {-20, -16, -46}, 12}},
-    {{kT, {-128, 8, 24}, 24}, {kS, {-10, -10, -100}, 15}},
-    {{kT, {-136, -110, 20}, 18}, {kS, {-4, -20, -118}, 16}},
+    {{kT, {-84, 88, 34}, 20}, {kC, {-8, 2, 120}, 8}},
+    {{kT, {-98, 84, 26}, 26}, {kS, {-8, -10, -14}, 7}},
+    {{kT, {-106, 52, 22}, 25}, {kS, {-20, -16, -46}, 8}},
+    {{kT, {-128, 8, 24}, 24}, {kS, {-10, -10, -100}, 14}},
+    {{kT, {-136, -110, 20}, 18}, {kS, {-4, -20, -118}, 15}},
     // Erector spinae.
     {{kT, {-124, 40, 22}, 20}, {kT, {-132, -150, 32}, 26}},
     {{kT, {-132, -150, 32}, 26}, {kT, {-118, -420, 40}, 30}},
     // Where the trapezius leaves the scapula and the latissimus goes over its angle.
-    {{kT, {-132, -120, 28}, 22}, {kS, {0, -112, -128}, 18}},
-    {{kT, {-124, -200, 40}, 26}, {kS, {2, -124, -120}, 18}},
-    {{kS, {2, -118, -122}, 19}, {kH, {0, -58, -6}, 14}},
+    {{kT, {-132, -120, 28}, 22}, {kS, {0, -112, -128}, 17}},
+    {{kT, {-124, -200, 40}, 26}, {kS, {2, -124, -120}, 17}},
+    {{kS, {2, -118, -122}, 18}, {kH, {0, -58, -6}, 14}},
     // Infraspinatus and teres.
-    {{kS, {-8, -42, -104}, 20}, {kS, {-8, -40, -40}, 20}},
-    {{kS, {-2, -92, -122}, 18}, {kS, {-4, -60, -60}, 20}},
-    {{kS, {-4, -92, -118}, 17}, {kH, {-6, -50, 4}, 16}},
+    {{kS, {-8, -42, -104}, 19}, {kS, {-8, -40, -40}, 16}},
+    {{kS, {-2, -92, -122}, 17}, {kS, {-4, -60, -60}, 16}},
+    {{kS, {-4, -92, -118}, 16}, {kH, {-6, -50, 4}, 16}},
     // Latissimus and the wall of the chest under the axilla.
     {{kT, {-102, -300, 86}, 34}, {kT, {-98, -160, 116}, 37}},
     {{kT, {-98, -160, 116}, 37}, {kH, {2, -58, -8}, 15}},
@@ -65,32 +65,32 @@ constexpr Muscle kMuscles[] = {
     {{kT, {12, -58, 32}, 18}, {kT, {-10, -54, 104}, 22}},
     {{kT, {-10, -54, 104}, 22}, {kH, {14, -80, -2}, 15}},
     {{kT, {18, -98, 36}, 17}, {kT, {4, -98, 84}, 21}},
-    {{kT, {4, -98, 84}, 21}, {kH, {12, -84, -6}, 14}},
-    {{kC, {4, -10, 44}, 12}, {kH, {16, -70, 2}, 15}},
+    {{kT, {4, -98, 84}, 21}, {kH, {12, -84, -6}, 11}},
+    {{kC, {4, -10, 44}, 8}, {kH, {16, -70, 2}, 15}},
     // The clavicle's forward bow.
-    {{kC, {6, 0, 4}, 12}, {kC, {15, 0, 45}, 14}},
-    {{kC, {15, 0, 45}, 14}, {kC, {5, 0, 105}, 13}},
+    {{kC, {6, 0, 4}, 6}, {kC, {13, 0, 45}, 7}},
+    {{kC, {13, 0, 45}, 7}, {kC, {4, 0, 105}, 7}},
     // Rectus abdominis.
     {{kT, {10, -160, 34}, 18}, {kT, {4, -300, 36}, 22}},
     {{kT, {4, -300, 36}, 22}, {kT, {2, -440, 36}, 24}},
     // Deltoid: before, beside and behind.
-    {{kC, {4, -4, 116}, 13}, {kH, {20, -46, 4}, 21}},
-    {{kH, {20, -46, 4}, 21}, {kH, {13, -128, 10}, 17}},
-    {{kS, {-4, -16, 14}, 14}, {kH, {16, -38, 20}, 20}},
-    {{kH, {16, -38, 20}, 20}, {kH, {12, -132, 12}, 17}},
-    {{kS, {-28, -20, -16}, 14}, {kH, {-4, -44, 22}, 20}},
-    {{kS, {-18, -14, -62}, 13}, {kH, {-12, -52, 12}, 18}},
-    {{kH, {-4, -44, 22}, 20}, {kH, {8, -130, 14}, 16}},
+    {{kC, {4, -4, 116}, 9}, {kH, {20, -46, 4}, 21}},
+    {{kH, {20, -46, 4}, 21}, {kH, {13, -128, 10}, 14}},
+    {{kS, {-4, -16, 14}, 10}, {kH, {16, -38, 20}, 20}},
+    {{kH, {16, -38, 20}, 20}, {kH, {12, -132, 12}, 14}},
+    {{kS, {-28, -20, -16}, 10}, {kH, {-4, -44, 22}, 20}},
+    {{kS, {-18, -14, -62}, 9}, {kH, {-12, -52, 12}, 18}},
+    {{kH, {-4, -44, 22}, 20}, {kH, {8, -130, 14}, 13}},
     // Biceps and triceps, about what lies between them.
-    {{kH, {2, -95, 0}, 33}, {kH, {0, -195, 0}, 34}},
-    {{kH, {0, -195, 0}, 34}, {kH, {0, -255, 0}, 27}},
-    {{kH, {12, -105, -4}, 25}, {kH, {13, -185, -2}, 26}},
-    {{kH, {13, -185, -2}, 26}, {kH, {8, -240, 0}, 18}},
-    {{kH, {-12, -80, 2}, 26}, {kH, {-14, -170, 2}, 26}},
-    {{kH, {-14, -170, 2}, 26}, {kH, {-8, -245, 0}, 18}},
+    {{kH, {2, -95, 0}, 30}, {kH, {0, -195, 0}, 31}},
+    {{kH, {0, -195, 0}, 31}, {kH, {0, -255, 0}, 24}},
+    {{kH, {12, -105, -4}, 22}, {kH, {13, -185, -2}, 23}},
+    {{kH, {13, -185, -2}, 23}, {kH, {8, -240, 0}, 15}},
+    {{kH, {-12, -80, 2}, 26}, {kH, {-14, -170, 2}, 23}},
+    {{kH, {-14, -170, 2}, 23}, {kH, {-8, -245, 0}, 15}},
     // Forearm.
-    {{kH, {4, -318, 10}, 27}, {kH, {2, -540, 10}, 13}},
-    {{kH, {2, -318, -10}, 26}, {kH, {2, -540, -10}, 13}},
+    {{kH, {4, -318, 10}, 24}, {kH, {2, -540, 10}, 10}},
+    {{kH, {2, -318, -10}, 23}, {kH, {2, -540, -10}, 10}},
     // Palm, fingers and thumb.
     {{kH, {2, -560, 0}, 12}, {kH, {2, -602, 22}, 10}},
     {{kH, {2, -560, 0}, 12}, {kH, {2, -606, 0}, 11}},
@@ -124,20 +124,20 @@ constexpr double kWaistCut_mm = -390;
 constexpr double kArmCut_mm = -105;
 
 // Skin over bone that lies right under it [mm].
-constexpr double kCover_mm = 9;
+constexpr double kCover_mm = 5;
 constexpr double kBladeCover_mm = 14;
-constexpr double kCoracoidCover_mm = 27;
+constexpr double kCoracoidCover_mm = 21;
 constexpr double kInferiorCover_mm = 20;
-constexpr double kJointCover_mm = 17;
-constexpr double kElbowCover_mm = 7;
+constexpr double kJointCover_mm = 6;
+constexpr double kElbowCover_mm = 4;
 // Where the arm begins to narrow towards the epicondyles, humerus frame.
 constexpr double kAboveElbow_mm = -210;
 constexpr double kBesideElbow_mm = 16;
-constexpr double kHead_mm = 33;
-constexpr double kShaft_mm = 27;
+constexpr double kHead_mm = 30;
+constexpr double kShaft_mm = 25;
 
 // Muscles and trunk run into each other over this much.
-constexpr double kBlend_mm = 11;
+constexpr double kBlend_mm = 14;
 constexpr double kEdge_mm = 4;
 // Around all solids, in cells.
 constexpr double kMargin = 3;
@@ -243,7 +243,7 @@ class BodyBuilder {
     };
     link(Landmark::kSC, Landmark::kPAC, kCover_mm * Millimeter_m(kC));
     link(Landmark::kPAC, Landmark::kPAC, kJointCover_mm * Millimeter_m(kS));
-    link(Landmark::kPAC, Landmark::kACJ, blade_m);
+    link(Landmark::kPAC, Landmark::kACJ, cover_m);
     link(Landmark::kTS, Landmark::kAA, cover_m);
     link(Landmark::kTS, Landmark::kAI, blade_m);
     link(Landmark::kAI, Landmark::kAI, kInferiorCover_mm * Millimeter_m(kS));

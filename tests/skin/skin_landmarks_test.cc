@@ -65,7 +65,7 @@ class SkinLandmark : public testing::TestWithParam<OverBone> {};
 
 // As thick as the solids' flesh is over a bone that lies right under it, and a cell beside; the
 // centre of the AC joint lies as much deeper as the joint is high.
-constexpr double kSubcutaneous_mm = 32;
+constexpr double kSubcutaneous_mm = 35;
 constexpr double kOverTheJoint_mm = 38;
 
 INSTANTIATE_TEST_SUITE_P(
