@@ -172,37 +172,31 @@ INSTANTIATE_TEST_SUITE_P(
       return name;
     });
 
-class FittedMan : public testing::Test {
- protected:
-  static void SetUpTestSuite() {
-    // scripts/setup --python fetches it.
-    man_ = new FittedBody(FitBones(ReadMakeHumanMan(GIRDLE_SOURCE_DIR "/build/body"),
-                                   BuiltInMakeHumanFit(), BuiltInAnatomy(), RelaxedStanding(),
-                                   BuiltInRhythm(), Head::kKept));
-  }
-  static void TearDownTestSuite() { delete man_; }
+// scripts/setup --python fetches him.
+const FittedBody& Man() {
+  static const FittedBody kMan =
+      FitBones(ReadMakeHumanMan(GIRDLE_SOURCE_DIR "/build/body"), BuiltInMakeHumanFit(),
+               BuiltInAnatomy(), RelaxedStanding(), BuiltInRhythm(), Head::kKept);
+  return kMan;
+}
 
-  static FittedBody* man_;
-};
-FittedBody* FittedMan::man_ = nullptr;
+TEST(FittedMan, IsClosed) { EXPECT_TRUE(IsClosed(Man().body.surface)); }
 
-TEST_F(FittedMan, IsClosed) { EXPECT_TRUE(IsClosed(man_->body.surface)); }
-
-TEST_F(FittedMan, IsTheMirrorImageOfHimself) {
-  const SurfaceDepth skin(man_->body.surface);
+TEST(FittedMan, IsTheMirrorImageOfHimself) {
+  const SurfaceDepth skin(Man().body.surface);
   // The project's files have four decimals of a decimetre.
   constexpr double kMirrored_m = 1e-5;
-  for (std::size_t i = 0; i < man_->body.surface.vertices_m.size(); i += 50) {
-    EXPECT_LT(skin.Distance_m(Mirrored(man_->body.surface.vertices_m[i])), kMirrored_m) << i;
+  for (std::size_t i = 0; i < Man().body.surface.vertices_m.size(); i += 50) {
+    EXPECT_LT(skin.Distance_m(Mirrored(Man().body.surface.vertices_m[i])), kMirrored_m) << i;
   }
 }
 
-TEST_F(FittedMan, HasEveryLandmarkWhereItBelongsUnderTheSkin) {
-  const SurfaceDepth skin(man_->body.surface);
+TEST(FittedMan, HasEveryLandmarkWhereItBelongsUnderTheSkin) {
+  const SurfaceDepth skin(Man().body.surface);
   for (std::size_t i = 0; i < kLandmarkCount; ++i) {
     const auto landmark = static_cast<Landmark>(i);
     const double depth_m =
-        skin.Depth_m(LandmarkInThorax_m(man_->body.anatomy, man_->body.pose, landmark));
+        skin.Depth_m(LandmarkInThorax_m(Man().body.anatomy, Man().body.pose, landmark));
     EXPECT_GT(depth_m, 0.003) << kLandmarks[i].name;
     // The joint lies in the middle of the shoulder, the coracoid process before it.
     const bool is_deep = landmark == Landmark::kGH || landmark == Landmark::kGC;
@@ -211,9 +205,9 @@ TEST_F(FittedMan, HasEveryLandmarkWhereItBelongsUnderTheSkin) {
   }
 }
 
-TEST_F(FittedMan, PointsHisForearmsToWhereElbowsBend) {
+TEST(FittedMan, PointsHisForearmsToWhereElbowsBend) {
   // The hands lie farthest along the humerus; x is where an elbow bends to, z its hinge.
-  const PosedBody& body = man_->body;
+  const PosedBody& body = Man().body;
   const Vector3 elbow_m =
       InThorax_m(body.anatomy, body.pose, Segment::kHumerus, body.anatomy.elbow_m());
   Vector3 farthest{0, 0, 0};
