@@ -129,30 +129,29 @@ Vector3 MiddleOf(const std::vector<Quad>& cube, const std::vector<Vector3>& vert
   return InThoraxAxes_m(sum / static_cast<double>(corners.size()));
 }
 
-// Position in SkinBonesOf({right, left}) of what a bone of the rig moves.
-std::size_t BoneFor(std::string_view name) {
-  const auto bones = SkinBonesOf({Side::kRight, Side::kLeft});
-  for (const auto& [suffix, side] : {std::pair(".R", Side::kRight), std::pair(".L", Side::kLeft)}) {
-    if (!name.ends_with(suffix)) continue;
-    for (const BoneOfRig& known : kBonesOfRig) {
-      if (!name.starts_with(known.stem)) continue;
-      const auto is_it = [&](const SkinBone& bone) {
-        return bone.segment == known.segment && bone.side == side;
-      };
-      return static_cast<std::size_t>(std::find_if(bones.begin(), bones.end(), is_it) -
-                                      bones.begin());
-    }
-  }
-  return 0;
+// Whether a bone is what one of the rig moves.
+bool Moves(std::string_view name, const SkinBone& bone) {
+  if (!name.ends_with(bone.side == Side::kRight ? ".R" : ".L")) return false;
+  return std::any_of(std::begin(kBonesOfRig), std::end(kBonesOfRig), [&](const BoneOfRig& known) {
+    return known.segment == bone.segment && name.starts_with(known.stem);
+  });
+}
+
+// Position in `bones` of what a bone of the rig moves: the thorax, which is the first, if no other.
+std::size_t BoneFor(std::string_view name, const std::vector<SkinBone>& bones) {
+  const auto found = std::find_if(bones.begin(), bones.end(),
+                                  [name](const SkinBone& bone) { return Moves(name, bone); });
+  return found == bones.end() ? 0 : static_cast<std::size_t>(found - bones.begin());
 }
 
 // The artist's shares in the vertices with these numbers.
 SkinWeights SharesIn(const std::vector<int>& vertices, std::size_t vertex_count,
                      const MakeHumanWeights& weights) {
-  const std::size_t bone_count = SkinBonesOf({Side::kRight, Side::kLeft}).size();
+  const std::vector<SkinBone> bones = SkinBonesOf({Side::kRight, Side::kLeft});
+  const std::size_t bone_count = bones.size();
   SkinWeights all(bone_count, std::vector<double>(vertex_count));
   for (const auto& [name, shares] : weights) {
-    std::vector<double>& sums = all[BoneFor(name)];
+    std::vector<double>& sums = all[BoneFor(name, bones)];
     for (const auto& [vertex, share] : shares) sums[static_cast<std::size_t>(vertex)] += share;
   }
   SkinWeights chosen(bone_count, std::vector<double>(vertices.size()));

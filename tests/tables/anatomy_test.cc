@@ -309,6 +309,17 @@ INSTANTIATE_TEST_SUITE_P(
         CsvFlaw{"no number", [](CsvText& text) { text.Cell(0, "center_x_m") = ""; },
                 "t.csv:2: center_x_m is '', expected a finite number such as 22.5"}));
 
+TEST(LandmarksToCsv, IsReadBackBitByBit) {
+  Anatomy anatomy;
+  for (std::size_t i = 0; i < kLandmarkCount; ++i) {
+    anatomy.landmarks_m.at(i) = Vector3{1, -2, 0.5} / (3.0 * static_cast<double>(i + 1));
+  }
+  std::istringstream in(LandmarksToCsv(anatomy, {"# how", "# it was made"}));
+  Anatomy read;
+  ReadLandmarks(in, "t.csv", read);
+  EXPECT_EQ(read.landmarks_m, anatomy.landmarks_m);
+}
+
 TEST(ThoraxEllipsoidsToCsv, IsReadBack) {
   Anatomy anatomy;
   anatomy.ribcage = {{-0.059, -0.149, 0}, {0.094, 0.208, 0.147}};

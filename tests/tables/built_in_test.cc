@@ -44,7 +44,8 @@ INSTANTIATE_TEST_SUITE_P(
                     FileAndText("joint_ranges.csv", &built_in_files::kJointRanges),
                     FileAndText("thorax_ellipsoids.csv", &built_in_files::kThoraxEllipsoids),
                     FileAndText("postures.csv", &built_in_files::kPostures),
-                    FileAndText("published_rhythms.csv", &built_in_files::kPublishedRhythms)));
+                    FileAndText("published_rhythms.csv", &built_in_files::kPublishedRhythms),
+                    FileAndText("makehuman_fit.csv", &built_in_files::kMakeHumanFit)));
 
 TEST(BuiltInRhythmTable, IsTheShippedTable) {
   const RhythmTable table = BuiltInRhythmTable(BuiltInTable::kMeasured);

@@ -449,5 +449,35 @@ TEST(ReadPersonAnatomy, TakesALeftShoulderWhoseZIsNegated) {
   EXPECT_LT(LargestDifference_m(Read(right.Text()), Read(ExampleText())), kRounding_m);
 }
 
+// All that a laboratory's landmarks say: bones, posture and where the thorax was. The clavicle's
+// turn about its long axis is not among it.
+RC_GTEST_PROP(ReadDigitizedPerson, FindsPostureAndPlace, ()) {
+  static const ShoulderRhythm kRhythm = BuiltInRhythm();
+  const ShoulderPose pose = kRhythm.SolvePose(
+      {RadiansFromDegrees(*NumberWithin(0, 140)), RadiansFromDegrees(*NumberWithin(-30, 120))});
+  const Placement lab = *AnyPlacement();
+  std::istringstream in(DigitisedInALab(Adult(), pose, lab));
+  const DigitizedPerson person = ReadDigitizedPerson(in, "t.csv", Adult());
+  // The shortest landmarks of a frame are some centimetres apart.
+  constexpr double kRounding_rad = 1e-12;
+  RC_ASSERT(LargestDifference_m(person.anatomy, Adult()) < kRounding_m);
+  RC_ASSERT(AngleBetween(person.q_AT, lab.q_AB) < kRounding_rad);
+  RC_ASSERT(glm::distance(person.p_AT_m, lab.p_AB_m) < kRounding_m);
+  RC_ASSERT(AngleBetween(person.pose.q_TS(), pose.q_TS()) < kRounding_rad);
+  RC_ASSERT(AngleBetween(person.pose.q_TH(), pose.q_TH()) < kRounding_rad);
+  const Vector3 z{0, 0, 1};
+  RC_ASSERT(glm::distance(person.pose.q_TC * z, pose.q_TC * z) < kRounding_rad);
+  RC_ASSERT(std::abs(AnglesFromPose(person.pose)[2]) < kRounding_rad);
+}
+
+TEST(ReadDigitizedPerson, RefusesLandmarksThatDoNotSayHowThePersonStood) {
+  std::istringstream in{std::string(built_in_files::kLandmarks)};
+  const std::string message =
+      MessageOf<InputError>([&] { static_cast<void>(ReadDigitizedPerson(in, "t.csv", Adult())); });
+  EXPECT_NE(message.find("do not say how the person stood. Give all in one frame, with 'lab'"),
+            std::string::npos)
+      << message;
+}
+
 }  // namespace
 }  // namespace girdle
