@@ -43,7 +43,9 @@ def checkout(tmp_path: Path, program: Path, plugin_library: Path) -> Path:
     (tmp_path / "build" / "engine").symlink_to(ROOT / "build" / "engine")
     for folder in ("data", "model"):
         (tmp_path / folder).symlink_to(ROOT / folder)
-    run(program, "generate", "--out", tmp_path / "build" / "model", folder=tmp_path)
+    (tmp_path / "build" / "body").symlink_to(ROOT / "build" / "body")
+    model = tmp_path / "build" / "model"
+    run(program, "generate", "--skin", "implicit", "--out", model, folder=tmp_path)
     return tmp_path
 
 
@@ -187,6 +189,32 @@ def test_the_verdict_of_the_readme_is_that_of_the_program(model: str, program: P
         ]
         shown.append(f"{max(values):.{decimals}f}" if values else "-")
     assert [*shown, "pass" if report["passed"] else "fail"] == verified_models()[model]
+
+
+SKIN_LINES = (
+    "acromion's skin rises, plane 0",
+    "acromion's bone rises, plane 0",
+    "area below half, plane 0",
+)
+
+
+def test_the_skin_table_of_the_readme_is_that_of_the_program(
+    checkout: Path, program: Path
+) -> None:
+    shown = re.search(r"\| measured \| `--girdle frozen` .*?\n\|[-|]+\|\n(.*?)\n\n", README, re.DOTALL)
+    assert shown
+    rows = [line.strip("| ").split(" | ")[1:3] for line in shown[1].splitlines()]
+    columns = []
+    for girdle, status in (("measured", 0), ("frozen", 1)):
+        finished = subprocess.run(
+            [program, "verify", "build/model/scene.xml", "--json", "--girdle", girdle],
+            cwd=checkout, capture_output=True, text=True, check=False,
+        )  # fmt: skip
+        assert finished.returncode == status, finished.stdout + finished.stderr
+        lines = json.loads(finished.stdout)["residuals"]
+        values = {line["item"]: line["value"] for line in lines if line["group"] == "skin"}
+        columns.append([f"{values[item]:.1f}" for item in SKIN_LINES])
+    assert rows == [list(row) for row in zip(*columns, strict=True)]
 
 
 def test_the_comparison_of_the_readme_has_the_lines_of_the_program(
