@@ -141,16 +141,19 @@ void Generate(const GenerateArguments& arguments) {
   WriteFiles(folder, files);
   const std::string model = (folder / names.model).string();
   const std::string scene = (folder / names.scene).string();
+  const std::string skin_file = skin ? (folder / names.skin).string() : "";
   const std::string landmarks = (folder / names.landmarks).string();
   if (arguments.json) {
     nlohmann::ordered_json json;
     json["model"] = model;
     json["scene"] = scene;
+    if (skin) json["skin"] = skin_file;
     if (has_own_bones) json["landmarks"] = landmarks;
     json["checked"] = checked;
     Print(json.dump(2) + "\n");
   } else {
-    Print("model  " + model + "\nscene  " + scene + "\ncheck  " + checked + "\n");
+    Print("model  " + model + "\nscene  " + scene + "\n" +
+          (skin ? "skin   " + skin_file + "\n" : "") + "check  " + checked + "\n");
     if (has_own_bones) {
       Print("bones  those of the skin. To verify: girdle verify " + scene + " --anatomy " +
             landmarks + "\n");
@@ -194,7 +197,8 @@ void AddGenerateCommand(CLI::App& program) {
   verb->add_flag("--json", arguments->json, "Say what was written as JSON");
   verb->footer(
       "Examples:\n  girdle generate --out my_model\n  girdle generate --side both --assembly loop "
-      "--out my_model\n  girdle generate --stature 1.85 --body-mass 80 --out my_model");
+      "--out my_model\n  girdle generate --stature 1.85 --body-mass 80 --out my_model\n"
+      "  girdle generate --side both --skin implicit --out my_model");
   verb->callback([arguments] { Generate(*arguments); });
 }
 
