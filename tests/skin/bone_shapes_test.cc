@@ -11,7 +11,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <string>
+#include <utility>
 #include <vector>
 
 #include "kinematics/random_rotations.h"
@@ -102,6 +102,26 @@ TEST_F(BoneShapesOfABody, HoldTheirLandmarks) {
     EXPECT_LT(DistanceFrom_m(shapes_[0], InMedianPlane(body_.anatomy.landmark_m(landmark))),
               kRounding_m);
   }
+}
+
+TEST_F(BoneShapesOfABody, RunBetweenTheirLandmarks) {
+  const auto between = [&](Landmark a, Landmark b) {
+    return (Place_m(body_, a, Side::kRight) + Place_m(body_, b, Side::kRight)) / 2.0;
+  };
+  EXPECT_LT(DistanceFrom_m(shapes_[1], between(Landmark::kSC, Landmark::kACJ)), kRounding_m);
+  for (const auto& [a, b] :
+       {std::pair(Landmark::kTS, Landmark::kAA), std::pair(Landmark::kTS, Landmark::kAI),
+        std::pair(Landmark::kGC, Landmark::kPC)}) {
+    EXPECT_LT(DistanceFrom_m(shapes_[2], between(a, b)), kRounding_m) << static_cast<int>(b);
+  }
+  for (const auto& [a, b] :
+       {std::pair(Landmark::kIJ, Landmark::kPX), std::pair(Landmark::kC7, Landmark::kT8)}) {
+    EXPECT_LT(DistanceFrom_m(shapes_[0], InMedianPlane(between(a, b))), kRounding_m)
+        << static_cast<int>(b);
+  }
+  const Vector3 shaft_m = OnSideInThorax_m(body_.anatomy, body_.pose, Side::kRight,
+                                           Segment::kHumerus, body_.anatomy.elbow_m() / 2.0);
+  EXPECT_LT(DistanceFrom_m(shapes_[3], shaft_m), kRounding_m);
 }
 
 TEST_F(BoneShapesOfABody, ReachNoFartherThanTheirBones) {

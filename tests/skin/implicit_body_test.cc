@@ -196,6 +196,7 @@ TEST(SkinOfTheImplicitBody, CoversEveryLandmarkWhereverTheArmGoes) {
       const ShoulderPose pose =
           rhythm.Solve({RadiansFromDegrees(elevation_deg), RadiansFromDegrees(plane_deg)}).pose;
       std::vector<BoneFrame> frames;
+      frames.reserve(bones.size());
       for (const SkinBone& bone : bones) {
         frames.push_back(
             FrameInThorax(body.anatomy, bone.side == Side::kRight ? pose : body.pose, bone));
