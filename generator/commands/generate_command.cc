@@ -124,7 +124,7 @@ void Generate(const GenerateArguments& arguments) {
     options.skin = skin->element;
   }
   std::vector<std::pair<std::string, std::string>> files = {
-      {names.scene, SceneXml(names.model, anatomy, options.sides)},
+      {names.scene, SceneXml(names.model, anatomy, options.sides, skin.has_value())},
       {names.model, ModelXml(arguments, anatomy, options)}};
   if (skin) {
     files.emplace_back(names.skin, skin->bytes);

@@ -21,6 +21,8 @@ constexpr double kExtent_m = 0.7;
 constexpr double kCameraDistance_m = 1.0;
 // Both shoulders are that much wider than one.
 constexpr double kBothSides = 1.25;
+// Forearms and hands of a skin reach that much farther than elbows.
+constexpr double kWithHands = 1.3;
 
 // Length of the bones from the thorax's origin to the elbow.
 double Reach_m(const Anatomy& anatomy) {
@@ -42,21 +44,22 @@ double Rounded(double length_m) {
 }
 Vector3 Rounded(const Vector3& p_m) { return {Rounded(p_m.x), Rounded(p_m.y), Rounded(p_m.z)}; }
 
-View ViewOf(const Anatomy& anatomy, Sides sides) {
+View ViewOf(const Anatomy& anatomy, Sides sides, bool has_skin) {
   const Anatomy adult = BuiltInAnatomy();
   const double size = Reach_m(anatomy) / Reach_m(adult);
+  const double scale = has_skin ? size * kWithHands : size;
   const Vector3 notch_m{0, 0, adult.jugular_notch_height_m};
   const Vector3 raised_m{0, 0, anatomy.jugular_notch_height_m - adult.jugular_notch_height_m};
   const Vector3 center_m = kCenter_m + raised_m + (size - 1) * (kCenter_m - notch_m);
   switch (sides) {
     case Sides::kRight:
-      return {center_m, size};
+      return {center_m, scale};
     case Sides::kLeft:
-      return {{center_m.x, -center_m.y, center_m.z}, size};
+      return {{center_m.x, -center_m.y, center_m.z}, scale};
     case Sides::kBoth:
       break;
   }
-  return {{center_m.x, 0, center_m.z}, size * kBothSides};
+  return {{center_m.x, 0, center_m.z}, scale * kBothSides};
 }
 
 void WriteCamera(XmlElement& world, const View& view, const char* name, const Vector3& direction,
@@ -69,8 +72,9 @@ void WriteCamera(XmlElement& world, const View& view, const char* name, const Ve
 
 }  // namespace
 
-std::string SceneXml(const std::string& model_file, const Anatomy& anatomy, Sides sides) {
-  const View view = ViewOf(anatomy, sides);
+std::string SceneXml(const std::string& model_file, const Anatomy& anatomy, Sides sides,
+                     bool has_skin) {
+  const View view = ViewOf(anatomy, sides, has_skin);
   XmlFile file("mujoco");
   XmlElement root = file.root();
   root.Set("model", "girdle scene");

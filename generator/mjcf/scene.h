@@ -13,8 +13,8 @@ namespace girdle {
 
 /// Returns a scene as XML: floor, lights and the cameras front, back, above and oblique around the
 /// model in `model_file`, which it includes and which has these sides. The cameras see the whole
-/// shoulder of a person with `anatomy`.
+/// shoulder of a person with `anatomy`, and in a model with a skin its hands.
 [[nodiscard]] std::string SceneXml(const std::string& model_file, const Anatomy& anatomy,
-                                   Sides sides = Sides::kRight);
+                                   Sides sides = Sides::kRight, bool has_skin = false);
 
 }  // namespace girdle

@@ -40,7 +40,8 @@ def draw(girdle: Girdle, body: Body, elevation_deg: int, view: View) -> Numbers:
     file = f"panels/{'_'.join(what)}.png"
     size = f"{view.width}x{view.height}"
     words += ["--camera", view.camera, "--size", size, "--show", view.show, "--out", file]
-    girdle.run("render", body.scene, *words)
+    scene = body.translucent_scene if view.show == "both" else body.scene
+    girdle.run("render", scene, *words)
     picture = plt.imread(girdle.folder / file)
     left, right, upper, lower = view.kept
     height, width = picture.shape[:2]

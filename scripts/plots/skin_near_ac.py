@@ -17,10 +17,10 @@ GIRDLES = {"measured": "(a) measured girdle", "frozen": "(b) GH alone"}
 # The first is the one in the picture.
 SIDES = ("right", "left")
 
-SIZE = 1800
-QUICK_SIZE = 300
+SIZE = 2340
+QUICK_SIZE = 390
 # Around the right shoulder, which is on the left of a picture from the front.
-KEPT = {"front": (0.2, 0.5, 0.33, 0.63), "back": (0.5, 0.8, 0.33, 0.63)}
+KEPT = {"front": (0.269, 0.5, 0.369, 0.6), "back": (0.5, 0.731, 0.369, 0.6)}
 # Of what is kept: near the top of the shoulder.
 LEVEL = 0.3
 

@@ -139,6 +139,19 @@ double ShareOfPicture(const BodySize& size) {
   return largest;
 }
 
+TEST(Scene, WithASkinShowsItsHands) {
+  constexpr double kHandsBeyondElbows = 1.25;
+  const ParsedXml bare(SceneXml("shoulder.xml", BuiltInAnatomy()));
+  const ParsedXml dressed(SceneXml("shoulder.xml", BuiltInAnatomy(), Sides::kRight, true));
+  for (const char* name : {"front", "back", "above", "oblique"}) {
+    const Vector3 center_m = VectorIn(bare.Child("statistic"), "center");
+    const auto distance_m = [&](const ParsedXml& scene) {
+      return glm::length(VectorIn(scene.Named("camera", name), "pos") - center_m);
+    };
+    EXPECT_GT(distance_m(dressed), kHandsBeyondElbows * distance_m(bare)) << name;
+  }
+}
+
 class SceneOf : public testing::TestWithParam<Person> {};
 
 // As much of the picture as the built-in shoulder, give or take another shape.
