@@ -99,9 +99,11 @@ struct FileNames {
 FileNames NamesFor(const ShoulderModelOptions& options) {
   const std::string side(kSidesNames[static_cast<std::size_t>(options.sides)]);
   const std::string servos = options.actuation == Actuation::kPosition ? "_position" : "";
-  return {"shoulder_" + side + servos + ".xml",
+  const std::string model = "shoulder_" + side + servos;
+  // A skin bears its model's name: nothing but the model itself, made anew, ever replaces it.
+  return {model + ".xml",
           "scene" + (options.sides == Sides::kRight ? "" : "_" + side) + servos + ".xml",
-          "skin_" + side + ".skn", "landmarks_" + side + ".csv"};
+          model + ".skn", "landmarks_" + side + ".csv"};
 }
 
 // The landmarks of a body that brought its own bones, for whoever wants to verify the model.

@@ -3,7 +3,9 @@
 
 #include "skin/bound_skin.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <glm/gtc/quaternion.hpp>
 #include <stdexcept>
 
@@ -15,15 +17,15 @@ double RoundedTo(int decimals, double value) {
   return std::round(value * steps) / steps;
 }
 
-// Moves with a bone: v -> R v + t.
+// What a bone does to skin bound to it: v -> turn v + shift.
 struct Motion {
-  Matrix3 R;
-  Vector3 t;
+  Matrix3 turn;
+  Vector3 shift;
 };
 
 Motion MotionOf(const BoneFrame& bind, const BoneFrame& now) {
-  const Matrix3 R = glm::mat3_cast(now.q_TB * glm::conjugate(bind.q_TB));
-  return {R, now.p_TB_m - R * bind.p_TB_m};
+  const Matrix3 turn = glm::mat3_cast(now.q_TB * glm::conjugate(bind.q_TB));
+  return {turn, now.p_TB_m - turn * bind.p_TB_m};
 }
 
 void CheckFrames(const BoundSkin& skin, const std::vector<BoneFrame>& frames) {
@@ -47,13 +49,20 @@ BoundSkin Bind(const PosedBody& body, const std::vector<SkinBone>& bones,
   for (const SkinBone& bone : bones) {
     skin.bones.push_back({bone.name(), FrameInThorax(body.anatomy, body.pose, bone), {}});
   }
+  std::vector<std::ptrdiff_t> strongest;  // vertex of each bone
+  for (const std::vector<double>& shares : weights) {
+    strongest.push_back(std::max_element(shares.begin(), shares.end()) - shares.begin());
+  }
+  const double smallest = std::pow(10.0, -kWeightDecimals);
   for (std::size_t i = 0; i < skin.surface.vertices_m.size(); ++i) {
     // What rounding takes or gives goes to the largest share.
     std::size_t largest = 0;
     double others = 0;
     std::vector<double> rounded(bones.size());
     for (std::size_t k = 0; k < bones.size(); ++k) {
-      rounded[k] = RoundedTo(kWeightDecimals, weights[k][i]);
+      const bool is_strongest = strongest[k] == static_cast<std::ptrdiff_t>(i);
+      rounded[k] =
+          std::max(RoundedTo(kWeightDecimals, weights[k][i]), is_strongest ? smallest : 0.0);
       others += rounded[k];
       if (weights[k][i] > weights[largest][i]) {
         largest = k;
@@ -78,7 +87,7 @@ std::vector<Vector3> BlendedVertices_m(const BoundSkin& skin,
     const Motion motion = MotionOf(skin.bones[k].bind, frames[k]);
     for (const VertexWeight& share : skin.bones[k].weights) {
       const auto i = static_cast<std::size_t>(share.vertex);
-      blended_m[i] += share.weight * (motion.R * skin.surface.vertices_m[i] + motion.t);
+      blended_m[i] += share.weight * (motion.turn * skin.surface.vertices_m[i] + motion.shift);
     }
   }
   return blended_m;
@@ -94,7 +103,7 @@ std::vector<Vector3> BlendedVertices_m(const BoundSkin& skin, const std::vector<
       for (std::size_t i = 0; i < vertices.size(); ++i) {
         if (vertices[i] == share.vertex) {
           const Vector3& v = skin.surface.vertices_m[static_cast<std::size_t>(share.vertex)];
-          blended_m[i] += share.weight * (motion.R * v + motion.t);
+          blended_m[i] += share.weight * (motion.turn * v + motion.shift);
         }
       }
     }

@@ -67,6 +67,11 @@ def models(run_program: RunProgram, tmp_path_factory: pytest.TempPathFactory) ->
     return make
 
 
+def skin_of(scene: Path) -> Path:
+    (skin,) = scene.parent.glob("*.skn")
+    return skin
+
+
 def load(scene: Path) -> mujoco.MjModel:
     return mujoco.MjModel.from_xml_path(str(scene))
 
@@ -85,16 +90,41 @@ def test_the_skin_stands_beside_the_model_and_its_scene(
     scene = models(side, assembly, actuation)
     servos = "_position" if actuation == "position" else ""
     model = f"shoulder_{side}{servos}.xml"
-    assert contents(scene.parent).keys() == {scene.name, model, f"skin_{side}.skn"}
+    assert contents(scene.parent).keys() == {scene.name, model, f"shoulder_{side}{servos}.skn"}
 
 
 @pytest.mark.parametrize("side", SIDES)
 def test_all_models_of_a_side_have_the_same_skin(models: Models, side: str) -> None:
     skins = {
-        (models(side, assembly, actuation).parent / f"skin_{side}.skn").read_bytes()
+        skin_of(models(side, assembly, actuation)).read_bytes()
         for assembly, actuation in itertools.product(ASSEMBLIES, ACTUATIONS)
     }
     assert len(skins) == 1
+
+
+def test_a_model_leaves_the_skin_of_another_one_in_the_folder_alone(
+    models: Models, girdle_fine: Girdle, tmp_path: Path
+) -> None:
+    girdle_fine("generate", "--out", "model", *SKIN)
+    small = ("--stature", "1.2", "--actuation", "position")
+    girdle_fine("generate", "--out", "model", *SKIN, *small)
+    adult = skin_of(models("right", "tree", "plugin")).read_bytes()
+    assert (tmp_path / "model" / "shoulder_right.skn").read_bytes() == adult
+    assert (tmp_path / "model" / "shoulder_right_position.skn").read_bytes() != adult
+
+
+# The shortest and longest that the option takes.
+@pytest.mark.parametrize(
+    "size",
+    ["clavicle-length 0.05", "clavicle-length 0.25", "scapula-length 0.04", "scapula-length 0.25"]
+    + ["humerus-length 0.1", "humerus-length 0.5", "stature 0.5", "stature 2.8"],
+)
+def test_a_body_of_any_size_that_is_taken_has_a_skin(
+    girdle_fine: Girdle, tmp_path: Path, size: str
+) -> None:
+    option, length = size.split()
+    girdle_fine("generate", "--out", "model", *SKIN, f"--{option}", length)
+    assert (tmp_path / "model" / "shoulder_right.skn").stat().st_size > 0
 
 
 def test_the_same_words_give_the_same_bytes(
@@ -113,8 +143,8 @@ def test_a_body_of_another_size_has_another_skin(
     models: Models, girdle_fine: Girdle, tmp_path: Path, options: tuple[str, ...]
 ) -> None:
     girdle_fine("generate", "--out", "model", *SKIN, *options)
-    adult = models("right", "tree", "plugin").parent / "skin_right.skn"
-    assert (tmp_path / "model" / "skin_right.skn").read_bytes() != adult.read_bytes()
+    adult = models("right", "tree", "plugin").parent / "shoulder_right.skn"
+    assert (tmp_path / "model" / "shoulder_right.skn").read_bytes() != adult.read_bytes()
 
 
 def test_a_heavier_body_keeps_its_skin(
@@ -122,8 +152,8 @@ def test_a_heavier_body_keeps_its_skin(
 ) -> None:
     """Bones and skin are lengths; of a body's mass nobody can tell where it is."""
     girdle_fine("generate", "--out", "model", *SKIN, "--body-mass", "90")
-    adult = models("right", "tree", "plugin").parent / "skin_right.skn"
-    assert (tmp_path / "model" / "skin_right.skn").read_bytes() == adult.read_bytes()
+    adult = models("right", "tree", "plugin").parent / "shoulder_right.skn"
+    assert (tmp_path / "model" / "shoulder_right.skn").read_bytes() == adult.read_bytes()
 
 
 @pytest.mark.parametrize("word", ["explicit", "Implicit", "implicit "])

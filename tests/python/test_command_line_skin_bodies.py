@@ -79,7 +79,7 @@ def test_a_head_that_is_cut_off_leaves_a_lower_body(girdle_fine: Girdle, tmp_pat
     tops = {}
     for head in ("keep", "cut"):
         girdle_fine("generate", "--skin", BODY, "--head", head, "--out", head)
-        skin = read_skin(tmp_path / head / "skin_right.skn")
+        skin = read_skin(tmp_path / head / "shoulder_right.skn")
         tops[head] = max(y for _, y, _ in skin.vertices_m)
     assert tops["cut"] == pytest.approx(0.075, abs=SKIN_M)
     assert tops["keep"] > 0.25
@@ -289,7 +289,7 @@ def landmark_rows(path: Path) -> dict[str, tuple[str, Vector]]:
 def made_person(run_program: RunProgram, tmp_path_factory: pytest.TempPathFactory) -> Person:
     folder = tmp_path_factory.mktemp("made")
     run_program("generate", "--skin", "implicit", "--side", "both", "--out", folder)
-    skin = read_skin(folder / "skin_both.skn")
+    skin = read_skin(folder / "shoulder_both.skn")
     bones = landmark_rows(SOURCE / "data/landmarks.csv")
     landmarks_m = {}
     for name, (segment, place_m) in bones.items():
@@ -340,8 +340,8 @@ def test_transforms_of_a_glb_are_applied(
     girdle_fine(
         *("generate", "--skin", "person.glb", "--skin-landmarks", "person.csv", "--out", "g")
     )
-    obj = read_skin(tmp_path / "m/skin_right.skn")
-    glb = read_skin(tmp_path / "g/skin_right.skn")
+    obj = read_skin(tmp_path / "m/shoulder_right.skn")
+    glb = read_skin(tmp_path / "g/shoulder_right.skn")
     assert glb.triangles == obj.triangles
     for a, b in zip(glb.vertices_m, obj.vertices_m, strict=True):
         assert a == pytest.approx(b, abs=2 * SKIN_M)

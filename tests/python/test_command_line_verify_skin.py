@@ -20,7 +20,7 @@ import pytest
 from conftest import ABOVE_TOLERANCE, MODEL_FILE, SCENE_FILE, Girdle, Refuses, RunProgram
 from reference_rhythm import DATABASE, Array
 
-SKIN_FILE = "skin_right.skn"
+SKIN_FILE = "shoulder_right.skn"
 PLANES_DEG = (0, 40, 90)
 
 RISES = {f"acromion's skin rises, plane {plane}" for plane in PLANES_DEG}

@@ -183,7 +183,28 @@ TriangleMesh MostlyOn(const BoundSkin& skin, const std::string& body) {
   return part;
 }
 
-// All over the range of the rhythm, the left arm at rest. The epicondyles may come to lie in the
+struct PoseToLookAt {
+  double elevation_deg;
+  double plane_deg;
+};
+
+// All over the range, and closer across the body, where the scapula goes farthest.
+std::vector<PoseToLookAt> PosesToLookAt() {
+  std::vector<PoseToLookAt> poses;
+  for (double elevation_deg = 0; elevation_deg <= 180; elevation_deg += 20) {
+    for (double plane_deg = -60; plane_deg <= 135; plane_deg += 32.5) {
+      poses.push_back({elevation_deg, plane_deg});
+    }
+  }
+  for (double elevation_deg = 60; elevation_deg <= 180; elevation_deg += 7.5) {
+    for (double plane_deg = 120; plane_deg <= 135; plane_deg += 7.5) {
+      poses.push_back({elevation_deg, plane_deg});
+    }
+  }
+  return poses;
+}
+
+// The left arm at rest. The epicondyles may come to lie in the
 // trunk or the other arm where no arm could go: of them the arm's own skin is asked.
 TEST(SkinOfTheImplicitBody, CoversEveryLandmarkWhereverTheArmGoes) {
   const PosedBody& body = AdultBody(kBoth);
@@ -191,24 +212,22 @@ TEST(SkinOfTheImplicitBody, CoversEveryLandmarkWhereverTheArmGoes) {
   const BoundSkin bound = SkinOf(body, kBoth);
   const TriangleMesh humeral = MostlyOn(bound, "humerus_r");
   const ShoulderRhythm rhythm = BuiltInRhythm();
-  for (double elevation_deg = 0; elevation_deg <= 180; elevation_deg += 20) {
-    for (double plane_deg = -60; plane_deg <= 135; plane_deg += 32.5) {
-      const ShoulderPose pose =
-          rhythm.Solve({RadiansFromDegrees(elevation_deg), RadiansFromDegrees(plane_deg)}).pose;
-      std::vector<BoneFrame> frames;
-      frames.reserve(bones.size());
-      for (const SkinBone& bone : bones) {
-        frames.push_back(
-            FrameInThorax(body.anatomy, bone.side == Side::kRight ? pose : body.pose, bone));
-      }
-      const std::vector<Vector3> vertices_m = BlendedVertices_m(bound, frames);
-      const SurfaceDepth skin({vertices_m, bound.surface.triangles});
-      const SurfaceDepth arm({vertices_m, humeral.triangles});
-      for (std::size_t i = 0; i < kLandmarkCount; ++i) {
-        const Vector3 place_m = Place_m(body.anatomy, pose, i);
-        EXPECT_GE(1000 * (IsOfElbow(i) ? arm : skin).Depth_m(place_m), kShallowest_mm)
-            << kLandmarks[i].name << " at elevation " << elevation_deg << ", plane " << plane_deg;
-      }
+  for (const auto& [elevation_deg, plane_deg] : PosesToLookAt()) {
+    const ShoulderPose pose =
+        rhythm.Solve({RadiansFromDegrees(elevation_deg), RadiansFromDegrees(plane_deg)}).pose;
+    std::vector<BoneFrame> frames;
+    frames.reserve(bones.size());
+    for (const SkinBone& bone : bones) {
+      frames.push_back(
+          FrameInThorax(body.anatomy, bone.side == Side::kRight ? pose : body.pose, bone));
+    }
+    const std::vector<Vector3> vertices_m = BlendedVertices_m(bound, frames);
+    const SurfaceDepth skin({vertices_m, bound.surface.triangles});
+    const SurfaceDepth arm({vertices_m, humeral.triangles});
+    for (std::size_t i = 0; i < kLandmarkCount; ++i) {
+      const Vector3 place_m = Place_m(body.anatomy, pose, i);
+      EXPECT_GE(1000 * (IsOfElbow(i) ? arm : skin).Depth_m(place_m), kShallowest_mm)
+          << kLandmarks[i].name << " at elevation " << elevation_deg << ", plane " << plane_deg;
     }
   }
 }
