@@ -195,6 +195,7 @@ SKIN_LINES = (
     "acromion's skin rises, plane 0",
     "acromion's bone rises, plane 0",
     "area below half, plane 0",
+    "area below half, plane 90",
 )
 
 
