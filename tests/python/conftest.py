@@ -11,12 +11,13 @@ import hashlib
 import os
 import re
 import subprocess
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import IO
 from xml.etree import ElementTree
 
+import mujoco
 import pytest
 from reference_rhythm import DATABASE, Position, ReferenceRhythm, read_database
 
@@ -230,3 +231,20 @@ def find_element(root: ElementTree.Element, path: str) -> ElementTree.Element:
 
 def remove_element(root: ElementTree.Element, path: str) -> None:
     find_element(root, path + "/..").remove(find_element(root, path))
+
+
+@pytest.fixture(scope="session")
+def engine_with_plugin(plugin_library: Path) -> None:
+    """The process's MuJoCo knows the plugin."""
+    mujoco.mj_loadPluginLibrary(str(plugin_library))
+
+
+@pytest.fixture
+def no_warning(engine_with_plugin: None) -> Iterator[None]:
+    """Any warning of the engine fails the test that it was raised in."""
+    messages: list[str] = []
+    before = mujoco.get_mju_user_warning()
+    mujoco.set_mju_user_warning(messages.append)
+    yield
+    mujoco.set_mju_user_warning(before)
+    assert not messages

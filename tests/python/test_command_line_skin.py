@@ -6,13 +6,15 @@ from __future__ import annotations
 
 import itertools
 import json
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 
 import mujoco
 import numpy as np
 import pytest
 from conftest import MODEL_FILE, SCENE_FILE, Girdle, Refuses, RunProgram, contents
+
+pytestmark = pytest.mark.usefixtures("no_warning")
 
 SKIN = ("--skin", "implicit")
 SIDES = {"right": ("_r",), "left": ("_l",), "both": ("_r", "_l")}
@@ -30,22 +32,6 @@ LANDMARKS = {
 }
 
 Models = Callable[[str, str, str], Path]
-
-
-@pytest.fixture(scope="session")
-def engine_with_plugin(plugin_library: Path) -> None:
-    mujoco.mj_loadPluginLibrary(str(plugin_library))
-
-
-@pytest.fixture(autouse=True)
-def no_warning(engine_with_plugin: None) -> Iterator[None]:
-    """Any warning of the engine fails the test that it was raised in."""
-    messages: list[str] = []
-    before = mujoco.get_mju_user_warning()
-    mujoco.set_mju_user_warning(messages.append)
-    yield
-    mujoco.set_mju_user_warning(before)
-    assert not messages
 
 
 def words(side: str, assembly: str, actuation: str) -> tuple[str, ...]:

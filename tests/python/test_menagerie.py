@@ -44,11 +44,6 @@ def name_of(path: Path) -> str:
     return f"{path.parent.name}/{path.name}"
 
 
-@pytest.fixture(scope="module")
-def engine_with_plugin(plugin_library: Path) -> None:
-    mujoco.mj_loadPluginLibrary(str(plugin_library))
-
-
 @pytest.fixture(autouse=True)
 def messages(
     engine_with_plugin: None, capfd: pytest.CaptureFixture[str]

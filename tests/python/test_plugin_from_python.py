@@ -70,11 +70,6 @@ MOTION = (
 # --- The engine ----------------------------------------------------------------------------------
 
 
-@pytest.fixture(scope="session")
-def engine_with_plugin(plugin_library: Path) -> None:
-    mujoco.mj_loadPluginLibrary(str(plugin_library))
-
-
 class Watch:
     """Collects the warnings of the engine: those on the data it is shown, those it prints."""
 

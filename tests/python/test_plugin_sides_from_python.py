@@ -11,7 +11,7 @@ import itertools
 import json
 import math
 import pickle
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 
 import mujoco
@@ -19,6 +19,8 @@ import numpy as np
 import pytest
 from conftest import RunProgram
 from reference_rhythm import COORDINATES, Array
+
+pytestmark = pytest.mark.usefixtures("no_warning")
 
 SIDES = {"right": ("_r",), "left": ("_l",), "both": ("_r", "_l")}
 ASSEMBLIES: dict[str, tuple[str, ...]] = {
@@ -42,22 +44,6 @@ MOTION = """time_s,elevation_deg,plane_deg,axial_deg
 0.4,90,-10,10
 0.5,40,90,0
 """
-
-
-@pytest.fixture(scope="session")
-def engine_with_plugin(plugin_library: Path) -> None:
-    mujoco.mj_loadPluginLibrary(str(plugin_library))
-
-
-@pytest.fixture(autouse=True)
-def no_warning(engine_with_plugin: None) -> Iterator[None]:
-    """Any warning of the engine fails the test that it was raised in."""
-    messages: list[str] = []
-    before = mujoco.get_mju_user_warning()
-    mujoco.set_mju_user_warning(messages.append)
-    yield
-    mujoco.set_mju_user_warning(before)
-    assert not messages
 
 
 @pytest.fixture(scope="module")
