@@ -107,11 +107,13 @@ FileNames NamesFor(const ShoulderModelOptions& options) {
 }
 
 // The landmarks of a body that brought its own bones, for whoever wants to verify the model.
-std::string LandmarkFile(const GenerateArguments& arguments, const Anatomy& anatomy) {
+// Without the name of the skin's file: the same body gives the same bytes wherever it lies.
+std::string LandmarkFile(const Anatomy& anatomy) {
   return LandmarksToCsv(
-      anatomy, {"# Landmarks of the shoulder fitted to the skin " + arguments.skin.skin +
-                    ", as girdle generate wrote them beside its model.",
-                "# Units: meters. Each landmark is given in the ISB frame of its own segment."});
+      anatomy,
+      {"# Landmarks of the shoulder fitted to a skin, as girdle generate wrote them beside "
+       "its model.",
+       "# Units: meters. Each landmark is given in the ISB frame of its own segment."});
 }
 
 void Generate(const GenerateArguments& arguments) {
@@ -133,7 +135,7 @@ void Generate(const GenerateArguments& arguments) {
   }
   const bool has_own_bones = body && body->has_own_bones;
   if (has_own_bones) {
-    files.emplace_back(names.landmarks, LandmarkFile(arguments, anatomy));
+    files.emplace_back(names.landmarks, LandmarkFile(anatomy));
   }
   // What MuJoCo does not accept is not a model and is not written.
   const std::string checked =

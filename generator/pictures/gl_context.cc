@@ -57,7 +57,7 @@ constexpr std::array<std::string_view, 3> kPlatformNames = {"EGL device", "EGL s
 constexpr const char* kInstall =
     "apt-get install libegl1 libgl1-mesa-dri, or: apt-get install libosmesa6";
 
-// A library that is closed again if nothing comes of it.
+// A library that is closed with its scope unless it is to be kept.
 class SharedLibrary {
  public:
   // Tries names in turn.
@@ -73,13 +73,14 @@ class SharedLibrary {
   }
   SharedLibrary(SharedLibrary&& other) noexcept
       : handle_(std::exchange(other.handle_, nullptr)),
+        is_kept_(other.is_kept_),
         name_(other.name_),
         reason_(std::move(other.reason_)) {}
   SharedLibrary(const SharedLibrary&) = delete;
   SharedLibrary& operator=(const SharedLibrary&) = delete;
   SharedLibrary& operator=(SharedLibrary&&) = delete;
   ~SharedLibrary() {
-    if (handle_ != nullptr) {
+    if (handle_ != nullptr && !is_kept_) {
       dlclose(handle_);
     }
   }
@@ -92,15 +93,16 @@ class SharedLibrary {
     return reinterpret_cast<Function>(dlsym(handle_, name));
   }
 
-  // Makes its functions those that MuJoCo finds, and keeps it open: what has given out functions
-  // and started threads cannot be closed.
-  void Keep() {
-    dlopen(name_, RTLD_NOW | RTLD_GLOBAL | RTLD_NOLOAD);
-    handle_ = nullptr;
-  }
+  // Keeps it open, whatever comes of it. To be called before its functions are: they may start
+  // threads, even where they fail, and what has threads cannot be closed.
+  void Keep() noexcept { is_kept_ = true; }
+
+  // Makes its functions those that MuJoCo finds.
+  void Publish() const { dlopen(name_, RTLD_NOW | RTLD_GLOBAL | RTLD_NOLOAD); }
 
  private:
   void* handle_ = nullptr;
+  bool is_kept_ = false;
   const char* name_ = "";
   std::string reason_;
 };
@@ -219,6 +221,7 @@ std::unique_ptr<GlLibrary> OpenEgl(std::string& problems) {
   }
   // What it finds no device for it would say on standard error, and go on.
   setenv("EGL_LOG_LEVEL", "fatal", 0);
+  library.Keep();
   const EglFunctions egl(library);
   if (!egl.complete()) {
     problems += "EGL: libEGL.so.1 lacks functions";
@@ -247,7 +250,7 @@ std::unique_ptr<GlLibrary> OpenEgl(std::string& problems) {
     problems += "EGL: neither a device nor the surfaceless platform has OpenGL";
     return nullptr;
   }
-  library.Keep();
+  library.Publish();
   return found;
 }
 
@@ -307,11 +310,16 @@ std::unique_ptr<GlLibrary> OpenOsMesa(std::string& problems) {
     return nullptr;
   }
   auto library = std::make_unique<OsMesaLibrary>(shared);
-  if (!library->complete() || !Works(*library)) {
-    problems += "OSMesa: it makes no context";
+  if (!library->complete()) {
+    problems += "OSMesa: it lacks functions";
     return nullptr;
   }
   shared.Keep();
+  if (!Works(*library)) {
+    problems += "OSMesa: it makes no context";
+    return nullptr;
+  }
+  shared.Publish();
   return library;
 }
 

@@ -13,10 +13,13 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <optional>
 #include <system_error>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -82,23 +85,28 @@ struct ChildFiles {
   int video = -1;
 };
 
+// Returns a copy of an open file's descriptor, above kOutput; of -1, none.
+Descriptor CopyAboveTargets(int file) {
+  const int copy = file < 0 ? -1 : fcntl(file, F_DUPFD_CLOEXEC, kOutput + 1);
+  if (copy < 0 && file >= 0) {
+    FailStarting(errno);
+  }
+  return Descriptor(copy);
+}
+
 pid_t Start(const std::filesystem::path& program, std::vector<std::string> words,
             const ChildFiles& files) {
+  // Copies above all targets, so that none is overwritten before it is in place. The child's own
+  // are closed as it starts.
+  const std::array<Descriptor, 4> sources = {
+      CopyAboveTargets(files.input), CopyAboveTargets(files.output), CopyAboveTargets(files.errors),
+      CopyAboveTargets(files.video)};
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
-  const std::array<int, 4> sources = {files.input, files.output, files.errors, files.video};
-  // Out of the way first, so that no descriptor is overwritten before it is copied.
-  constexpr int kAway = 100;
   for (int target = 0; target <= kOutput; ++target) {
-    const int source = sources[static_cast<std::size_t>(target)];
+    const int source = sources[static_cast<std::size_t>(target)].get();
     if (source >= 0) {
-      posix_spawn_file_actions_adddup2(&actions, source, kAway + target);
-    }
-  }
-  for (int target = 0; target <= kOutput; ++target) {
-    if (sources[static_cast<std::size_t>(target)] >= 0) {
-      posix_spawn_file_actions_adddup2(&actions, kAway + target, target);
-      posix_spawn_file_actions_addclose(&actions, kAway + target);
+      posix_spawn_file_actions_adddup2(&actions, source, target);
     } else if (target != kOutput) {
       posix_spawn_file_actions_addopen(&actions, target, "/dev/null", O_RDWR, 0);
     }
@@ -124,6 +132,22 @@ int WaitFor(pid_t child) noexcept {
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
   return status;
+}
+
+// How it ended, or nothing if it has not after some time.
+std::optional<int> WaitForAWhile(pid_t child, std::chrono::milliseconds longest) {
+  constexpr std::chrono::milliseconds kStep(10);
+  for (std::chrono::milliseconds waited(0);; waited += kStep) {
+    int status = 0;
+    const pid_t ended = waitpid(child, &status, WNOHANG);
+    if (ended == child) {
+      return status;
+    }
+    if ((ended < 0 && errno != EINTR) || waited >= longest) {
+      return std::nullopt;
+    }
+    std::this_thread::sleep_for(kStep);
+  }
 }
 
 // Its list of encoders has a line ` V....D libx264  ...` for each.
@@ -257,6 +281,21 @@ void VideoPipe::Fail(int status) const {
                    "install ffmpeg");
 }
 
+void VideoPipe::FailAtItsEnd() {
+  // For its last words.
+  constexpr std::chrono::seconds kTimeToEnd(2);
+  const std::optional<int> status = WaitForAWhile(child_, kTimeToEnd);
+  if (status) {
+    child_ = -1;
+    Fail(*status);
+  }
+  kill(child_, SIGKILL);
+  Wait();
+  throw InputError(
+      "ffmpeg cannot make the video: it reads no frames any more and does not end. Install another "
+      "one: apt-get install ffmpeg");
+}
+
 void VideoPipe::Write(const Picture& frame) {
   if (!(frame.size == size_)) {
     throw InputError("a frame of another size than the video");
@@ -266,7 +305,7 @@ void VideoPipe::Write(const Picture& frame) {
   while (left > 0) {
     const ssize_t sent = send(frames_, at, left, MSG_NOSIGNAL);
     if (sent < 0 && errno != EINTR) {
-      Fail(Wait());  // it does not read any more
+      FailAtItsEnd();
     }
     at += sent < 0 ? 0 : sent;
     left -= sent < 0 ? 0 : static_cast<std::size_t>(sent);

@@ -31,7 +31,8 @@ class VideoPipe {
   VideoPipe& operator=(const VideoPipe&) = delete;
   ~VideoPipe();
 
-  /// Hands a frame on. Throws InputError with ffmpeg's own words if it has ended.
+  /// Hands a frame on. Throws InputError with ffmpeg's own words if it has ended, and if it reads
+  /// no frames any more but does not end, which ends it.
   void Write(const Picture& frame);
 
   /// Says that there are no more frames and waits for the file. Throws InputError with ffmpeg's own
@@ -41,6 +42,8 @@ class VideoPipe {
  private:
   /// Throws InputError with what it wrote, or else how it ended.
   [[noreturn]] void Fail(int status) const;
+  /// The same, of one that reads no frames any more: waits for its end, or brings it about.
+  [[noreturn]] void FailAtItsEnd();
   /// Waits for its end and returns how it ended, as waitpid says.
   int Wait() noexcept;
 

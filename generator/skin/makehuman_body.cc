@@ -58,7 +58,8 @@ std::string NameOf(const std::string& folder, const PackageFile& file) {
   return (std::filesystem::path(folder) / file.path).string();
 }
 
-// The bytes of a file, which has to be that of the package.
+// The bytes of a file, which has to be that of the package. Of another one, which may have no end,
+// not more is read than shows that it is too large.
 std::string PackageBytes(const std::string& folder, const PackageFile& file) {
   const std::string name = NameOf(folder, file);
   std::error_code ignored;
@@ -67,9 +68,11 @@ std::string PackageBytes(const std::string& folder, const PackageFile& file) {
                      std::string(kPackage));
   }
   std::ifstream in = OpenTextFile(name);
-  std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  const std::uint64_t crc = ::crc32(0, reinterpret_cast<const Bytef*>(bytes.data()),
-                                    static_cast<uInt>(std::min(bytes.size(), file.size + 1)));
+  std::string bytes(file.size + 1, '\0');
+  in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  bytes.resize(static_cast<std::size_t>(in.gcount()));
+  const std::uint64_t crc =
+      ::crc32(0, reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uInt>(bytes.size()));
   if (bytes.size() != file.size || crc != file.crc32) {
     throw InputError(name + ": is not that of " + std::string(kPackage) +
                      ", whose vertices are known by their numbers. Run scripts/fetch_body, which "

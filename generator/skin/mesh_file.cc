@@ -9,12 +9,16 @@
 #include <algorithm>
 #include <array>
 #include <assimp/Importer.hpp>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <map>
 #include <utility>
 
+#include "skin/gltf_nodes.h"
 #include "tables/input_error.h"
 #include "tables/number_text.h"
 #include "tables/text_file.h"
@@ -28,9 +32,12 @@ constexpr double kLargestBody_m = 4;
 // Height of a triangle that has no area any more [m].
 constexpr double kNoHeight_m = 1e-9;
 
-// Collects triangles, and gives each place one vertex.
+// Collects triangles, and gives each place one vertex, up to the limits.
 class Collector {
  public:
+  explicit Collector(const std::string& path) : path_(path) {}
+
+  // Not deeper than readers go: FlawOfGltfNodes.
   void AppendNode(const aiScene& scene, const aiNode& node, const aiMatrix4x4& parent) {
     const aiMatrix4x4 transform = parent * node.mTransformation;
     for (unsigned i = 0; i < node.mNumMeshes; ++i) {
@@ -50,6 +57,7 @@ class Collector {
     for (unsigned i = 0; i < part.mNumFaces; ++i) {
       const aiFace& face = part.mFaces[i];
       if (face.mNumIndices != 3) continue;
+      if (mesh.triangles.size() == kMostMeshTriangles) FailTooLarge(kMostMeshTriangles, "faces");
       Triangle triangle{};
       for (unsigned corner = 0; corner < 3; ++corner) {
         triangle[corner] = VertexAt(transform * part.mVertices[face.mIndices[corner]]);
@@ -60,12 +68,25 @@ class Collector {
   }
 
   int VertexAt(const aiVector3D& place) {
+    if (!std::isfinite(place.x) || !std::isfinite(place.y) || !std::isfinite(place.z)) {
+      throw InputError(path_ + ": a vertex of face " + std::to_string(mesh.triangles.size()) +
+                       " has a coordinate that is not a finite number. Correct or remove it");
+    }
     const auto [known, is_new] =
         numbers_.try_emplace({place.x, place.y, place.z}, static_cast<int>(numbers_.size()));
-    if (is_new) mesh.vertices_m.emplace_back(place.x, place.y, place.z);
+    if (is_new) {
+      if (mesh.vertices_m.size() == kMostMeshVertices) FailTooLarge(kMostMeshVertices, "vertices");
+      mesh.vertices_m.emplace_back(place.x, place.y, place.z);
+    }
     return known->second;
   }
 
+  [[noreturn]] void FailTooLarge(std::size_t most, const std::string& kind) const {
+    throw InputError(path_ + ": has more than " + std::to_string(most) + " " + kind +
+                     ". Give one with fewer, such as a decimated one");
+  }
+
+  const std::string& path_;
   std::map<std::array<ai_real, 3>, int> numbers_;
 };
 
@@ -133,26 +154,38 @@ std::optional<std::string> FlawOfFaces(const TriangleMesh& mesh) {
   return std::nullopt;
 }
 
+// In capitals or not, as Assimp takes it.
+bool HasGltfSuffix(const std::string& path) {
+  std::string suffix = std::filesystem::path(path).extension().string();
+  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return suffix == ".glb" || suffix == ".gltf";
+}
+
+[[noreturn]] void FailReading(const std::string& path, const std::string& reason) {
+  throw InputError(path + ": cannot be read as a mesh: " + reason +
+                   ". Export it again as .glb or .obj");
+}
+
 }  // namespace
 
 TriangleMesh ReadMeshFile(const std::string& path) {
   // For its messages: Assimp says less of a file that is not there.
   static_cast<void>(OpenTextFile(path));
+  if (HasGltfSuffix(path)) {
+    if (const std::optional<std::string> flaw = FlawOfGltfNodes(path)) FailReading(path, *flaw);
+  }
   Assimp::Importer importer;
   const aiScene* scene = importer.ReadFile(path, aiProcess_Triangulate);
   if (scene == nullptr || scene->mRootNode == nullptr) {
-    throw InputError(path + ": cannot be read as a mesh: " + importer.GetErrorString() +
-                     ". Export it again as .glb or .obj");
+    std::string reason = importer.GetErrorString();
+    reason.erase(reason.find_last_not_of(". \n") + 1);
+    FailReading(path, reason + ", the file may be cut short");
   }
-  Collector collector;
+  Collector collector(path);
   collector.AppendNode(*scene, *scene->mRootNode, aiMatrix4x4());
   if (collector.mesh.triangles.empty()) {
     throw InputError(path + ": has no triangles. Export the body's faces");
-  }
-  if (collector.mesh.vertices_m.size() > kMostMeshVertices) {
-    throw InputError(path + ": has " + std::to_string(collector.mesh.vertices_m.size()) +
-                     " vertices, more than " + std::to_string(kMostMeshVertices) +
-                     ". Give one with fewer, such as a decimated one");
   }
   return std::move(collector.mesh);
 }

@@ -3,7 +3,8 @@
 """Makes the paper's figures and a page that shows them beside their numbers.
 
 Everything comes from the `girdle` program. The page appears whole or not at all: it is made in a
-folder beside the one asked for, which takes its place at the end.
+folder beside the one asked for, which takes its place at the end. A folder that an earlier run has
+made is replaced as a whole.
 """
 
 from __future__ import annotations
@@ -169,7 +170,11 @@ def say(text: str) -> None:
 
 
 def may_be_replaced(folder: Path) -> bool:
-    """Whether a folder holds nothing but what an earlier run has put there."""
+    """Whether a folder is new, empty, or one that an earlier run has made.
+
+    That one is known by the mark in its page, and is replaced as a whole: with it goes whatever
+    somebody else has put there since.
+    """
     if not folder.exists():
         return True
     if not folder.is_dir():

@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -144,6 +145,38 @@ TEST_F(VideoPipeTest, ReportsInItsOwnWordsAnFfmpegThatEndsInTheMiddle) {
             "install another one: apt-get install ffmpeg");
   EXPECT_TRUE(HasNoChild());
 }
+
+TEST_F(VideoPipeTest, EndsAnFfmpegThatReadsNoFramesAnyMore) {
+  MakeFfmpeg("exec < /dev/null; exec sleep 60");
+  VideoPipe pipe(output_, kSize, 30);
+  const auto started = std::chrono::steady_clock::now();
+  EXPECT_EQ(Refusal([&pipe] {
+              constexpr int kMoreThanAnyBuffer = 1000;
+              for (int i = 0; i < kMoreThanAnyBuffer; ++i) {
+                pipe.Write(Frame('a'));
+              }
+            }),
+            "ffmpeg cannot make the video: it reads no frames any more and does not end. Install "
+            "another one: apt-get install ffmpeg");
+  EXPECT_LT(std::chrono::steady_clock::now() - started, std::chrono::seconds(30));
+  EXPECT_TRUE(HasNoChild());
+}
+
+// Also one that would suit as a place for copies of descriptors.
+class OutputDescriptor : public VideoPipeTest, public testing::WithParamInterface<int> {};
+
+TEST_P(OutputDescriptor, MayBeAnyNumber) {
+  MakeFfmpeg("cat > /dev/fd/3");
+  const int output = fcntl(output_, F_DUPFD_CLOEXEC, GetParam());
+  ASSERT_EQ(output, GetParam());
+  VideoPipe pipe(output, kSize, 30);
+  pipe.Write(Frame('a'));
+  pipe.Finish();
+  close(output);
+  EXPECT_EQ(Written(), std::string(std::size_t{3} * 64 * 48, 'a'));
+}
+
+INSTANTIATE_TEST_SUITE_P(Numbers, OutputDescriptor, testing::Values(100, 101, 102, 103));
 
 TEST_F(VideoPipeTest, ReportsAnFfmpegThatFailsAtTheEnd) {
   MakeFfmpeg("cat > /dev/null; exit 7");

@@ -396,7 +396,6 @@ def test_render_refuses(
         (("--video", "a.mp4", "--size", "161x120"), "width and height have to be even"),
         (("--picture", "a.png", "--size", "1x1"), "--size 1x1: expected WIDTHxHEIGHT"),
         (("--picture", "a.png", "--camera", "x"), 'no camera "x"'),
-        (("--video", "./t.csv"), "--trace and --video both want ./t.csv"),
         (("--picture", "no/such/a.png"), "a.png: cannot be written"),
     ],
 )
@@ -404,6 +403,11 @@ def test_simulate_refuses(
     refuses: Refuses, scene: Path, words: tuple[str, ...], because: str
 ) -> None:
     refuses("simulate", scene, *RAISE, "--trace", "t.csv", *words, because=(literal(because),))
+
+
+def test_two_results_in_one_file_are_refused(refuses: Refuses, scene: Path) -> None:
+    because = (literal("--trace and --video both want ./a.mp4"),)
+    refuses("simulate", scene, *RAISE, "--trace", "a.mp4", "--video", "./a.mp4", because=because)
 
 
 def test_a_machine_that_cannot_draw_is_told_what_to_install(
@@ -436,13 +440,17 @@ def test_a_library_that_is_broken_is_named(
 
 
 def test_osmesa_draws_where_egl_does_not(
-    draw: Draw, tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch
+    girdle: Girdle,
+    draw: Draw,
+    tmp_path_factory: pytest.TempPathFactory,
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     expected = draw()
     folder = tmp_path_factory.mktemp("broken")
     (folder / "libEGL.so.1").write_text("not a library\n" * 100)
     monkeypatch.setenv("LD_LIBRARY_PATH", f"{folder}:{os.environ.get('LD_LIBRARY_PATH', '')}")
     assert difference(draw(), expected) < SAME_TO_A_RENDERER
+    assert diagnosis(girdle)["pictures"]["found"].startswith("OSMesa")
 
 
 def test_an_unknown_platform_is_refused(

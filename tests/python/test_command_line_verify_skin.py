@@ -20,6 +20,7 @@ import pytest
 from conftest import ABOVE_TOLERANCE, MODEL_FILE, SCENE_FILE, Girdle, Refuses, RunProgram
 from reference_rhythm import DATABASE, Array
 
+MAPPING = Path(__file__).resolve().parents[2] / "data/mappings/girdle_right.csv"
 SKIN_FILE = "shoulder_right.skn"
 PLANES_DEG = (0, 40, 90)
 
@@ -459,12 +460,12 @@ def test_a_girdle_is_measured_or_frozen(refuses: Refuses, skinned: Path) -> None
     )
 
 
-def test_a_mapped_model_has_no_girdle_to_choose(refuses: Refuses, generated: Path) -> None:
+def test_a_mapped_model_has_no_girdle_to_choose(refuses: Refuses, skinned: Path) -> None:
     refuses(
         "verify",
-        generated / SCENE_FILE,
+        skinned / SCENE_FILE,
         "--mapping",
-        "mapping.csv",
+        MAPPING,
         "--girdle",
         "frozen",
         because=("--girdle is for the skin", "Leave it away"),

@@ -73,6 +73,36 @@ TEST(ReadMeshFile, RefusesAFileThatIsNoMesh) {
   EXPECT_NE(RefusalOf(file.path()).find("letter.glb: cannot be read as a mesh"), std::string::npos);
 }
 
+TEST(ReadMeshFile, SaysThatAFileMayBeCutShort) {
+  const TemporaryFile file("half.glb", "glTF");
+  EXPECT_EQ(RefusalOf(file.path()),
+            file.path() +
+                ": cannot be read as a mesh: it is no glTF of version 2, or is cut short. Export "
+                "it again as .glb or .obj");
+}
+
+TEST(ReadMeshFile, ReadsAGltfFileInText) {
+  const TemporaryFile file("triangle.gltf",
+                           R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+          "nodes": [{"children": [1]}, {"mesh": 0}],
+          "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+          "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+                         "min": [0, 0, 0], "max": [1, 1, 0]}],
+          "bufferViews": [{"buffer": 0, "byteLength": 36}],
+          "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64,)"
+                           R"(AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})");
+  EXPECT_EQ(ReadMeshFile(file.path()).vertices_m,
+            (std::vector<Vector3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
+}
+
+TEST(ReadMeshFile, RefusesAVertexThatIsNowhere) {
+  const TemporaryFile file("nowhere.obj", "v 0 0 0\nv 1 0 0\nv 0 nan 0\nf 1 2 3\n");
+  EXPECT_EQ(RefusalOf(file.path()),
+            file.path() +
+                ": a vertex of face 0 has a coordinate that is not a finite number. "
+                "Correct or remove it");
+}
+
 TEST(ReadMeshFile, RefusesAFileWithoutTriangles) {
   const TemporaryFile file("line.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n");
   EXPECT_NE(RefusalOf(file.path()).find("has no triangles"), std::string::npos);
