@@ -26,14 +26,6 @@ Motion MotionOf(const BoneFrame& bind, const BoneFrame& now) {
   return {R, now.p_TB_m - R * bind.p_TB_m};
 }
 
-void CheckFrames(const BoundSkin& skin, const std::vector<BoneFrame>& frames) {
-  if (frames.size() != skin.bones.size()) {
-    throw std::invalid_argument("a skin of " + std::to_string(skin.bones.size()) +
-                                " bones needs as many frames, not " +
-                                std::to_string(frames.size()));
-  }
-}
-
 }  // namespace
 
 BoundSkin Bind(const PosedBody& body, const std::vector<SkinBone>& bones,
@@ -72,31 +64,17 @@ BoundSkin Bind(const PosedBody& body, const std::vector<SkinBone>& bones,
 
 std::vector<Vector3> BlendedVertices_m(const BoundSkin& skin,
                                        const std::vector<BoneFrame>& frames) {
-  CheckFrames(skin, frames);
+  if (frames.size() != skin.bones.size()) {
+    throw std::invalid_argument("a skin of " + std::to_string(skin.bones.size()) +
+                                " bones needs as many frames, not " +
+                                std::to_string(frames.size()));
+  }
   std::vector<Vector3> blended_m(skin.surface.vertices_m.size(), Vector3{0, 0, 0});
   for (std::size_t k = 0; k < skin.bones.size(); ++k) {
     const Motion motion = MotionOf(skin.bones[k].bind, frames[k]);
     for (const VertexWeight& share : skin.bones[k].weights) {
       const auto i = static_cast<std::size_t>(share.vertex);
       blended_m[i] += share.weight * (motion.R * skin.surface.vertices_m[i] + motion.t);
-    }
-  }
-  return blended_m;
-}
-
-std::vector<Vector3> BlendedVertices_m(const BoundSkin& skin, const std::vector<BoneFrame>& frames,
-                                       const std::vector<int>& vertices) {
-  CheckFrames(skin, frames);
-  std::vector<Vector3> blended_m(vertices.size(), Vector3{0, 0, 0});
-  for (std::size_t k = 0; k < skin.bones.size(); ++k) {
-    const Motion motion = MotionOf(skin.bones[k].bind, frames[k]);
-    for (const VertexWeight& share : skin.bones[k].weights) {
-      for (std::size_t i = 0; i < vertices.size(); ++i) {
-        if (vertices[i] == share.vertex) {
-          const Vector3& v = skin.surface.vertices_m[static_cast<std::size_t>(share.vertex)];
-          blended_m[i] += share.weight * (motion.R * v + motion.t);
-        }
-      }
     }
   }
   return blended_m;

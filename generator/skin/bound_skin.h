@@ -45,9 +45,4 @@ inline constexpr int kWeightDecimals = 4;
 [[nodiscard]] std::vector<Vector3> BlendedVertices_m(const BoundSkin& skin,
                                                      const std::vector<BoneFrame>& frames);
 
-/// The same of some vertices, in the order in which they are named.
-[[nodiscard]] std::vector<Vector3> BlendedVertices_m(const BoundSkin& skin,
-                                                     const std::vector<BoneFrame>& frames,
-                                                     const std::vector<int>& vertices);
-
 }  // namespace girdle
