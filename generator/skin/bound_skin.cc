@@ -3,9 +3,13 @@
 
 #include "skin/bound_skin.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
 #include <stdexcept>
+
+#include "tables/posed_bones.h"
 
 namespace girdle {
 namespace {
@@ -60,6 +64,25 @@ BoundSkin Bind(const PosedBody& body, const std::vector<SkinBone>& bones,
     }
   }
   return skin;
+}
+
+std::optional<BoneFrame> BindOf(const BoundSkin& skin, const SkinBone& bone) {
+  const std::string name = bone.name();
+  const auto found = std::find_if(skin.bones.begin(), skin.bones.end(),
+                                  [&name](const BoundBone& bound) { return bound.body == name; });
+  return found == skin.bones.end() ? std::nullopt : std::optional(found->bind);
+}
+
+std::optional<ShoulderPose> BindPose(const BoundSkin& skin, Side side) {
+  std::array<Quaternion, kSegmentCount> q_AB{};
+  for (std::size_t i = 0; i < kSegmentCount; ++i) {
+    const std::optional<BoneFrame> bind = BindOf(skin, {static_cast<Segment>(i), side});
+    if (!bind) {
+      return std::nullopt;
+    }
+    q_AB[i] = bind->q_TB;
+  }
+  return PoseOfBones(side, q_AB);
 }
 
 std::vector<Vector3> BlendedVertices_m(const BoundSkin& skin,
