@@ -7,12 +7,12 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <string>
 #include <vector>
 
+#include "kinematics/knot_crossings.h"
+#include "kinematics/pose_function.h"
 #include "kinematics/shoulder_rhythm.h"
-#include "rhythms/knot_crossings.h"
 
 namespace girdle {
 
@@ -40,9 +40,6 @@ struct RhythmCheck {
   /// A value that is not a number does not pass.
   [[nodiscard]] bool passed() const noexcept { return value < limit; }
 };
-
-/// The pose for a command.
-using PoseFunction = std::function<ShoulderPose(const ArmCommand& command)>;
 
 /// Returns the jumps of slerp, squad and smooth in both directions, each with closure table on the
 /// same table. Throws std::invalid_argument if the table is too small for one of them.

@@ -16,6 +16,11 @@ namespace {
 
 constexpr const char* kAnew = " or make the model anew with girdle generate --skin";
 
+// Of our skin among those of a model; negative if it is not there.
+int NumberIn(const mjModel& model) {
+  return mj_name2id(&model, mjOBJ_SKIN, std::string(kSkinName).c_str());
+}
+
 Vector3 VectorAt(const float* v) { return {v[0], v[1], v[2]}; }
 
 // Everything in the frame of a bone as it was bound.
@@ -57,8 +62,10 @@ BoundSkin SkinOf(const mjModel& model, int skin) {
 
 }  // namespace
 
-bool HasSkin(const mjModel& model) {
-  return mj_name2id(&model, mjOBJ_SKIN, std::string(kSkinName).c_str()) >= 0;
+bool HasSkin(const mjModel& model) { return NumberIn(model) >= 0; }
+
+std::optional<ShoulderPose> BindPose(const mjModel& model, Side side) {
+  return HasSkin(model) ? BindPose(SkinOf(model, NumberIn(model)), side) : std::nullopt;
 }
 
 void ModelSkin::SceneDeleter::operator()(mjvScene* scene) const noexcept {
@@ -72,7 +79,7 @@ ModelSkin::ModelSkin(const mjModel& model, std::string model_name)
     throw InputError(model_name_ + ": has no skin \"" + std::string(kSkinName) +
                      "\". Make a model that has one with girdle generate --skin");
   }
-  const int skin = Number();
+  const int skin = NumberIn(model);
   bound_ = SkinOf(model, skin);
   const int first = model.skin_boneadr[skin];
   bodies_.assign(model.skin_bonebodyid + first,
@@ -91,10 +98,6 @@ ModelSkin::ModelSkin(const mjModel& model, std::string model_name)
   // Solids are not asked for below.
   constexpr int kSolids = 1;
   mjv_makeScene(&model, scene_.get(), kSolids);
-}
-
-int ModelSkin::Number() const {
-  return mj_name2id(&model_, mjOBJ_SKIN, std::string(kSkinName).c_str());
 }
 
 SkinLandmarkVertices ModelSkin::Landmarks(Side side) const {
@@ -139,7 +142,7 @@ std::vector<Vector3> ModelSkin::VerticesInWorld_m(mjData& data) const {
   mjv_defaultCamera(&camera);
   constexpr int kNoSolids = 0;
   mjv_updateScene(&model_, &data, &option, nullptr, &camera, kNoSolids, scene_.get());
-  const int skin = Number();
+  const int skin = NumberIn(model_);
   const float* const vertices = scene_->skinvert + 3 * scene_->skinvertadr[skin];
   std::vector<Vector3> vertices_m;
   vertices_m.reserve(bound_.surface.vertices_m.size());

@@ -7,6 +7,7 @@
 #include <mujoco/mujoco.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,10 @@ namespace girdle {
 
 /// Whether a model has a skin of the name kSkinName. One of another name is none of ours.
 [[nodiscard]] bool HasSkin(const mjModel& model);
+
+/// Returns the pose in which the skin named kSkinName is bound to one side's shoulder, as that of a
+/// right one; nothing if the model has no such skin or the skin leaves one of its bones out.
+[[nodiscard]] std::optional<ShoulderPose> BindPose(const mjModel& model, Side side);
 
 /// The skin named kSkinName of a model, which must outlive it.
 class ModelSkin {
@@ -45,8 +50,6 @@ class ModelSkin {
   struct SceneDeleter {
     void operator()(mjvScene* scene) const noexcept;
   };
-
-  [[nodiscard]] int Number() const;
 
   const mjModel& model_;
   std::string model_name_;

@@ -17,6 +17,7 @@
 #include "simulation/engine.h"
 #include "simulation/mapped_arm.h"
 #include "simulation/mapped_shoulder.h"
+#include "simulation/model_skin.h"
 #include "simulation/motion.h"
 #include "simulation/residual_report.h"
 #include "simulation/residuals.h"
@@ -248,7 +249,7 @@ void Pose(ShoulderSimulation& simulation, const RenderRequest& request,
       simulation.PutAt(shoulder, is_meant ? raised : rest);
     }
     if (is_meant && request.girdle == GirdleMotion::kFrozen) {
-      const ShoulderPose at = BindPose(simulation.model(), shoulder).value_or(rest);
+      const ShoulderPose at = BindPose(simulation.model(), shoulder.side).value_or(rest);
       simulation.PutAt(shoulder, FrozenGirdle(simulation.PoseOf(shoulder), at));
     }
   }

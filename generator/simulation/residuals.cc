@@ -155,7 +155,7 @@ class ResidualMeter {
       AddTracking(state, motion.name, step < moving_steps ? moving_ : settled_,
                   step < moving_steps || step >= settled_from);
       if (skin_ && step % kSkinSteps == 0) {
-        skin_->CompareBlend(motion.name, state.command);
+        skin_->CompareMoving(motion.name, state.command);
       }
       progress(static_cast<double>(step) / (moving_steps + settling_steps));
     }

@@ -10,6 +10,7 @@
 
 #include "tables/input_error.h"
 #include "tables/number_text.h"
+#include "tables/posed_bones.h"
 #include "tables/rhythm_config.h"
 
 namespace girdle {
@@ -195,15 +196,6 @@ JointAngles StiffnessOf(const mjModel& model, const ShoulderElements& elements) 
   return stiffness_N_m_per_rad;
 }
 
-// Of thorax, clavicle, scapula and humerus in the world.
-ShoulderPose PoseOfBones(Side side, const std::array<Quaternion, kSegmentCount>& q_WB) {
-  const auto joint = [&](std::size_t child) {
-    const Quaternion q = glm::conjugate(q_WB[child - 1]) * q_WB[child];
-    return side == Side::kRight ? q : Mirrored(q);
-  };
-  return {joint(1), joint(2), joint(3)};
-}
-
 Vector3 OnSide(Side side, const mjtNum* p) {
   const Vector3 position{p[0], p[1], p[2]};
   return side == Side::kRight ? position : Mirrored(position);
@@ -230,24 +222,6 @@ std::vector<ShoulderElements> FindShoulders(const mjModel& model, const std::str
     shoulders.push_back(ElementFinder(model, model_name, Side::kRight).FindAll());
   }
   return shoulders;
-}
-
-std::optional<ShoulderPose> BindPose(const mjModel& model, const ShoulderElements& elements) {
-  if (model.nskin == 0) {
-    return std::nullopt;
-  }
-  const int* const first = model.skin_bonebodyid + model.skin_boneadr[0];
-  const int* const last = first + model.skin_bonenum[0];
-  std::array<Quaternion, kSegmentCount> q_WB{};
-  for (std::size_t i = 0; i < kSegmentCount; ++i) {
-    const int* const bone = std::find(first, last, elements.bodies[i]);
-    if (bone == last) {
-      return std::nullopt;
-    }
-    const float* const q = model.skin_bonebindquat + 4 * (bone - model.skin_bonebodyid);
-    q_WB[i] = glm::normalize(Quaternion(q[0], q[1], q[2], q[3]));
-  }
-  return PoseOfBones(elements.side, q_WB);
 }
 
 ShoulderState MirroredToRight(const ShoulderState& left) noexcept {

@@ -6,7 +6,6 @@
 
 #include <array>
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -95,11 +94,6 @@ struct ShoulderState {
 /// Returns a left shoulder's state as that of the right one that it is the mirror image of, in the
 /// world mirrored in x and z.
 [[nodiscard]] ShoulderState MirroredToRight(const ShoulderState& left) noexcept;
-
-/// Returns the pose in which a model's first skin is bound to a shoulder's four bones, as that of a
-/// right one; nothing if the model has no skin or the skin leaves one of them out.
-[[nodiscard]] std::optional<ShoulderPose> BindPose(const mjModel& model,
-                                                   const ShoulderElements& elements);
 
 /// A model with its plugin, or with position servos, ready to step. All its shoulders get the same
 /// command; the states are those of one of them. Throws InputError where MuJoCo warns.

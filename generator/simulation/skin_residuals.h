@@ -31,9 +31,9 @@ class SkinMeter {
   SkinMeter(ShoulderSimulation& simulation, const AssembledRhythm& rhythm, const Anatomy& anatomy,
             GirdleMotion girdle);
 
-  /// Holds MuJoCo's vertices against the blend where the simulation stands; `motion` and `command`
-  /// tell in the report where that is.
-  void CompareBlend(std::string_view motion, const ArmCommand& command);
+  /// Holds MuJoCo's vertices against the blend where the simulation has got to in a motion;
+  /// `motion` and `command` tell in the report where that is.
+  void CompareMoving(std::string_view motion, const ArmCommand& command);
 
   /// Measures all the rest, for which it moves the simulation, and returns the lines.
   [[nodiscard]] std::vector<Residual> Measure();
@@ -43,6 +43,8 @@ class SkinMeter {
   [[nodiscard]] ShoulderPose OnGirdle(const ShoulderPose& pose) const;
   [[nodiscard]] ShoulderPose PoseFor(const ArmCommand& command) const;
 
+  /// How far MuJoCo's vertices are from the blend where the simulation stands; the largest.
+  [[nodiscard]] double OffBlend_mm() const;
   void ComparePose(const ArmCommand& command);
   void AddRises(std::vector<Residual>& lines) const;
   void AddAreas(std::vector<Residual>& lines) const;
@@ -59,8 +61,9 @@ class SkinMeter {
   SkinLandmarkVertices vertices_;
   LandmarkSkin landmarks_;
   ShoulderPose bind_;
-  double size_;  ///< of the clavicle, an adult's being 1
-  Extreme blend_mm_;
+  double size_;         ///< of the clavicle, an adult's being 1
+  Extreme at_rest_mm_;  ///< off the blend, in poses without dynamics
+  Extreme moving_mm_;   ///< off the blend, while it simulates
   Extreme posed_mm_;
 };
 

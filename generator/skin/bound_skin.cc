@@ -4,10 +4,13 @@
 #include "skin/bound_skin.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <glm/gtc/quaternion.hpp>
 #include <stdexcept>
+
+#include "tables/posed_bones.h"
 
 namespace girdle {
 namespace {
@@ -26,14 +29,6 @@ struct Motion {
 Motion MotionOf(const BoneFrame& bind, const BoneFrame& now) {
   const Matrix3 turn = glm::mat3_cast(now.q_TB * glm::conjugate(bind.q_TB));
   return {turn, now.p_TB_m - turn * bind.p_TB_m};
-}
-
-void CheckFrames(const BoundSkin& skin, const std::vector<BoneFrame>& frames) {
-  if (frames.size() != skin.bones.size()) {
-    throw std::invalid_argument("a skin of " + std::to_string(skin.bones.size()) +
-                                " bones needs as many frames, not " +
-                                std::to_string(frames.size()));
-  }
 }
 
 }  // namespace
@@ -79,33 +74,38 @@ BoundSkin Bind(const PosedBody& body, const std::vector<SkinBone>& bones,
   return skin;
 }
 
+std::optional<BoneFrame> BindOf(const BoundSkin& skin, const SkinBone& bone) {
+  const std::string name = bone.name();
+  const auto found = std::find_if(skin.bones.begin(), skin.bones.end(),
+                                  [&name](const BoundBone& bound) { return bound.body == name; });
+  return found == skin.bones.end() ? std::nullopt : std::optional(found->bind);
+}
+
+std::optional<ShoulderPose> BindPose(const BoundSkin& skin, Side side) {
+  std::array<Quaternion, kSegmentCount> q_AB{};
+  for (std::size_t i = 0; i < kSegmentCount; ++i) {
+    const std::optional<BoneFrame> bind = BindOf(skin, {static_cast<Segment>(i), side});
+    if (!bind) {
+      return std::nullopt;
+    }
+    q_AB[i] = bind->q_TB;
+  }
+  return PoseOfBones(side, q_AB);
+}
+
 std::vector<Vector3> BlendedVertices_m(const BoundSkin& skin,
                                        const std::vector<BoneFrame>& frames) {
-  CheckFrames(skin, frames);
+  if (frames.size() != skin.bones.size()) {
+    throw std::invalid_argument("a skin of " + std::to_string(skin.bones.size()) +
+                                " bones needs as many frames, not " +
+                                std::to_string(frames.size()));
+  }
   std::vector<Vector3> blended_m(skin.surface.vertices_m.size(), Vector3{0, 0, 0});
   for (std::size_t k = 0; k < skin.bones.size(); ++k) {
     const Motion motion = MotionOf(skin.bones[k].bind, frames[k]);
     for (const VertexWeight& share : skin.bones[k].weights) {
       const auto i = static_cast<std::size_t>(share.vertex);
       blended_m[i] += share.weight * (motion.turn * skin.surface.vertices_m[i] + motion.shift);
-    }
-  }
-  return blended_m;
-}
-
-std::vector<Vector3> BlendedVertices_m(const BoundSkin& skin, const std::vector<BoneFrame>& frames,
-                                       const std::vector<int>& vertices) {
-  CheckFrames(skin, frames);
-  std::vector<Vector3> blended_m(vertices.size(), Vector3{0, 0, 0});
-  for (std::size_t k = 0; k < skin.bones.size(); ++k) {
-    const Motion motion = MotionOf(skin.bones[k].bind, frames[k]);
-    for (const VertexWeight& share : skin.bones[k].weights) {
-      for (std::size_t i = 0; i < vertices.size(); ++i) {
-        if (vertices[i] == share.vertex) {
-          const Vector3& v = skin.surface.vertices_m[static_cast<std::size_t>(share.vertex)];
-          blended_m[i] += share.weight * (motion.turn * v + motion.shift);
-        }
-      }
     }
   }
   return blended_m;

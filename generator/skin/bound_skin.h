@@ -4,6 +4,7 @@
 /// Skin that moves with bones: linear blend skinning.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,15 +40,18 @@ struct BoundSkin {
 inline constexpr int kSkinDecimals = 5;
 inline constexpr int kWeightDecimals = 4;
 
+/// Returns where a bone was when the skin was bound to it; nothing if it hangs on none of that
+/// name.
+[[nodiscard]] std::optional<BoneFrame> BindOf(const BoundSkin& skin, const SkinBone& bone);
+
+/// Returns the pose in which a skin is bound to the four bones of one side's shoulder, as that of a
+/// right one; nothing if it does not hang on all of them.
+[[nodiscard]] std::optional<ShoulderPose> BindPose(const BoundSkin& skin, Side side);
+
 /// Returns the vertices [m] with the bones in other frames, one for each of skin.bones:
 ///
 ///     v' = sum_k w_k (R_k R_bind,k^T (v - p_bind,k) + p_k)
 [[nodiscard]] std::vector<Vector3> BlendedVertices_m(const BoundSkin& skin,
                                                      const std::vector<BoneFrame>& frames);
-
-/// The same of some vertices, in the order in which they are named.
-[[nodiscard]] std::vector<Vector3> BlendedVertices_m(const BoundSkin& skin,
-                                                     const std::vector<BoneFrame>& frames,
-                                                     const std::vector<int>& vertices);
 
 }  // namespace girdle

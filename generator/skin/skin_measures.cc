@@ -71,19 +71,12 @@ SkinOnBones::SkinOnBones(BoundSkin skin, const Anatomy& anatomy)
     : skin_(std::move(skin)), bones_(BonesNamed(skin_.bones)), anatomy_(anatomy) {}
 
 ShoulderPose SkinOnBones::BindPose(Side side) const {
-  const auto bind = [&](Segment segment) {
-    const std::string name = SkinBone{segment, side}.name();
-    const auto found = std::find_if(skin_.bones.begin(), skin_.bones.end(),
-                                    [&name](const BoundBone& bone) { return bone.body == name; });
-    if (found == skin_.bones.end()) {
-      throw std::invalid_argument("the skin does not hang on \"" + name + "\"");
+  for (const SkinBone& bone : SkinBonesOf({side})) {
+    if (!BindOf(skin_, bone)) {
+      throw std::invalid_argument("the skin does not hang on \"" + bone.name() + "\"");
     }
-    return side == Side::kRight ? found->bind.q_TB : Mirrored(found->bind.q_TB);
-  };
-  const Quaternion q_TC = bind(Segment::kClavicle);
-  const Quaternion q_TS = bind(Segment::kScapula);
-  const Quaternion q_TH = bind(Segment::kHumerus);
-  return {q_TC, glm::conjugate(q_TC) * q_TS, glm::conjugate(q_TS) * q_TH};
+  }
+  return girdle::BindPose(skin_, side).value();
 }
 
 double SkinOnBones::MisplacedBones_m(Side side) const {
@@ -239,9 +232,7 @@ LandmarkLargest LargestJumps_m_per_rad(const LandmarkSkin& landmarks, const Pose
 LandmarkDepths LandmarkDepths_m(const SkinOnBones& skin, const ShoulderPose& pose, Side side) {
   const SurfaceDepth surface({skin.VerticesIn_m(pose), skin.bound().surface.triangles});
   const auto covers = [&skin](Side one) {
-    const std::string name = SkinBone{Segment::kClavicle, one}.name();
-    return std::any_of(skin.bound().bones.begin(), skin.bound().bones.end(),
-                       [&name](const BoundBone& bone) { return bone.body == name; });
+    return BindOf(skin.bound(), {Segment::kClavicle, one}).has_value();
   };
   const bool has_both = covers(Side::kRight) && covers(Side::kLeft);
   LandmarkDepths depths_m{};

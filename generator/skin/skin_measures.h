@@ -7,8 +7,9 @@
 #include <array>
 #include <vector>
 
+#include "kinematics/knot_crossings.h"
+#include "kinematics/pose_function.h"
 #include "kinematics/shoulder_rhythm.h"
-#include "rhythms/continuity.h"
 #include "skin/bound_skin.h"
 #include "skin/skin_landmarks.h"
 

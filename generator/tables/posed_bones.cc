@@ -25,6 +25,14 @@ Vector3 InThorax_m(const Anatomy& anatomy, const ShoulderPose& pose, Segment seg
   return p_TS + pose.q_TS() * anatomy.landmark_m(Landmark::kGH) + pose.q_TH() * point_m;
 }
 
+ShoulderPose PoseOfBones(Side side, const std::array<Quaternion, kSegmentCount>& q_AB) noexcept {
+  const auto joint = [&](std::size_t child) {
+    const Quaternion q = glm::conjugate(q_AB[child - 1]) * q_AB[child];
+    return side == Side::kRight ? q : Mirrored(q);
+  };
+  return {joint(1), joint(2), joint(3)};
+}
+
 Vector3 LandmarkInThorax_m(const Anatomy& anatomy, const ShoulderPose& pose,
                            Landmark landmark) noexcept {
   return InThorax_m(anatomy, pose, kLandmarks[static_cast<std::size_t>(landmark)].segment,

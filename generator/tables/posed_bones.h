@@ -4,6 +4,9 @@
 /// Where the points of an anatomy are in a pose: bones hang from each other at SC, PAC and GH.
 #pragma once
 
+#include <array>
+
+#include "kinematics/model_names.h"
 #include "kinematics/shoulder_pose.h"
 #include "tables/anatomy.h"
 
@@ -12,6 +15,11 @@ namespace girdle {
 /// Returns a point of a segment, given in the segment's frame, in the thorax frame [m].
 [[nodiscard]] Vector3 InThorax_m(const Anatomy& anatomy, const ShoulderPose& pose, Segment segment,
                                  const Vector3& point_m) noexcept;
+
+/// Returns the pose of a shoulder whose bones (thorax, clavicle, scapula, humerus) are turned so in
+/// any frame A, as that of a right one: a left one is in its mirror image.
+[[nodiscard]] ShoulderPose PoseOfBones(Side side,
+                                       const std::array<Quaternion, kSegmentCount>& q_AB) noexcept;
 
 /// Returns a landmark in the thorax frame [m].
 [[nodiscard]] Vector3 LandmarkInThorax_m(const Anatomy& anatomy, const ShoulderPose& pose,

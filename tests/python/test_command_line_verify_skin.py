@@ -23,10 +23,13 @@ from reference_rhythm import DATABASE, Array
 MAPPING = Path(__file__).resolve().parents[2] / "data/mappings/girdle_right.csv"
 SKIN_FILE = "shoulder_right.skn"
 PLANES_DEG = (0, 40, 90)
+LANDMARKS = ("skin_ac", "skin_acromion", "skin_mid_clavicle", "skin_scapular_spine", "skin_deltoid")
 
 RISES = {f"acromion's skin rises, plane {plane}" for plane in PLANES_DEG}
+# Stated, of the bones under that skin.
+BONE_RISES = ("acromion's bone rises", "AC joint rises")
 SQUEEZED = "area below half, plane 0"
-BLEND = "MuJoCo - linear blend"
+BLEND = {f"MuJoCo - linear blend, {state}" for state in ("at rest", "moving")}
 POSE = "MuJoCo - pose asked for"
 BOUND = "bones - where they were bound"
 DEPTH = "depth of landmarks, bind pose"
@@ -34,12 +37,15 @@ RATIO = "jump of AC skin over elevation knots, squad of slerp's"
 SMOOTH = {f"jump of all landmarks over {knots} knots, smooth" for knots in ("elevation", "plane")}
 
 # All lines that can fail.
-CHECKED = RISES | SMOOTH | {SQUEEZED, BLEND, POSE, BOUND, DEPTH, RATIO}
+CHECKED = RISES | SMOOTH | BLEND | {SQUEEZED, POSE, BOUND, DEPTH, RATIO}
 # What an arm that turns in GH alone does to skin.
 FROZEN_FAILS = RISES | {SQUEEZED}
 
 # MuJoCo's vertices are single precision, a metre and a half above the floor [mm].
 SINGLE_PRECISION_MM = 1e-3
+
+# While which the model is simulated.
+MOTIONS = {"abduction", "scapular plane", "flexion", "protraction at 90"}
 
 
 @pytest.fixture(scope="session")
@@ -94,6 +100,18 @@ def test_a_measured_girdle_passes_all_that_can_fail(measured: Report) -> None:
     assert {i for i, r in measured.skin.items() if r["tolerance"] is not None} == CHECKED
 
 
+def test_the_blend_is_compared_at_rest_and_while_the_model_moves(measured: Report) -> None:
+    """A line without a comparison is no number and fails; one that has the other's tells nothing."""
+    at_rest, moving = (
+        measured.skin[f"MuJoCo - linear blend, {state}"] for state in ("at rest", "moving")
+    )
+    assert at_rest["where"].startswith("pose, ")
+    assert moving["where"].split(",")[0] in MOTIONS
+    for line in (at_rest, moving):
+        # Single precision leaves something, where anything was compared.
+        assert 0 < line["value"] < line["tolerance"] == SINGLE_PRECISION_MM
+
+
 def test_a_girdle_is_measured_unless_told_otherwise(
     girdle: Girdle, skinned: Path, measured: Report
 ) -> None:
@@ -112,7 +130,9 @@ def test_a_frozen_girdle_fails_in_what_it_does_to_skin(
     for plane in PLANES_DEG:
         assert measured.skin[f"acromion's skin rises, plane {plane}"]["value"] > 8
         assert frozen.skin[f"acromion's skin rises, plane {plane}"]["value"] < 4
-        assert frozen.skin[f"acromion's bone rises, plane {plane}"]["value"] == 0
+        for bone in BONE_RISES:
+            assert measured.skin[f"{bone}, plane {plane}"]["value"] > 10
+            assert frozen.skin[f"{bone}, plane {plane}"]["value"] == 0
     assert measured.skin[SQUEEZED]["value"] < 5
     assert frozen.skin[SQUEEZED]["value"] > 10
 
@@ -193,6 +213,17 @@ def test_the_skin_rises_as_mujoco_draws_it(raised: mujoco.MjModel, measured: Rep
     )
     line = measured.skin["acromion's skin rises, plane 0"]
     assert line["value"] == pytest.approx(1000 * (high - low), abs=2 * SINGLE_PRECISION_MM)
+
+
+def test_the_ac_joint_rises_as_mujoco_has_it(raised: mujoco.MjModel, measured: Report) -> None:
+    heights = []
+    for elevation in (30, 120):
+        data = mujoco.MjData(raised)
+        mujoco.mj_resetDataKeyframe(raised, data, raised.key(f"abduction_{elevation}").id)
+        mujoco.mj_kinematics(raised, data)
+        heights.append(data.site("ACJ_r").xpos[2])
+    line = measured.skin["AC joint rises, plane 0"]
+    assert line["value"] == pytest.approx(1000 * (heights[1] - heights[0]), abs=1e-6)
 
 
 def test_skin_is_squeezed_as_mujoco_draws_it(
@@ -387,8 +418,59 @@ def test_a_skin_that_is_no_linear_blend_is_found(
         skin.set("inflate", "1e-4")
 
     report = verify(girdle, write_skinned(edit_xml=inflate))
-    assert report.failed == {BLEND, POSE}
-    assert report.skin[BLEND]["value"] == pytest.approx(0.1, abs=0.001)
+    assert report.failed == BLEND | {POSE}
+    for line in BLEND:
+        assert report.skin[line]["value"] == pytest.approx(0.1, abs=0.001)
+
+
+def test_a_vertex_that_is_no_number_is_found(girdle: Girdle, write_skinned: WriteSkinned) -> None:
+    """All vertices after it are where they belong: none of them may hide it."""
+
+    def lose(skin: Skin) -> None:
+        skin.vertices[100] = np.nan
+
+    assert verify(girdle, write_skinned(lose)).failed >= BLEND | {POSE}
+
+
+def test_skin_without_a_share_of_the_humerus_stands_still_on_a_frozen_girdle(
+    girdle: Girdle, raised: mujoco.MjModel, write_skinned: WriteSkinned
+) -> None:
+    """With the girdle frozen the humerus alone moves, and skin by its share in it."""
+    still = [name for name in LANDMARKS if name != "skin_deltoid"]
+
+    def give_away(skin: Skin) -> None:
+        humerus, scapula = skin.bone("humerus_r"), skin.bone("scapula_r")
+        weights = np.zeros((2, len(skin.vertices)))
+        for of_bone, bone in zip(weights, (humerus, scapula), strict=True):
+            of_bone[bone.vertices] = bone.weights
+        for name in still:
+            vertices = raised.numeric(f"{name}_r").data.astype(int)
+            weights[1, vertices] += weights[0, vertices]
+            weights[0, vertices] = 0
+        for of_bone, bone in zip(weights, (humerus, scapula), strict=True):
+            bone.vertices = np.flatnonzero(of_bone)
+            bone.weights = of_bone[bone.vertices]
+
+    scene = write_skinned(give_away)
+    measured, frozen = (
+        verify(girdle, scene, "--girdle", motion).skin for motion in ("measured", "frozen")
+    )
+    interpolations = ("slerp", "squad", "smooth")
+    standing = {f"step of {name}" for name in still}
+    standing |= {f"step of AC skin, {interpolation}" for interpolation in interpolations}
+    standing |= {
+        f"jump of AC skin over {knots} knots, {interpolation}"
+        for knots in ("elevation", "plane")
+        for interpolation in ("slerp", "squad")
+    }
+    for line in standing:
+        # The same sum of the same bones' places, to the last bit.
+        assert frozen[line]["value"] == 0, line
+        assert measured[line]["value"] > 0, line
+    # Steps are millimetres a degree of the arm, not rounding.
+    assert all(measured[line]["value"] > 0.01 for line in standing if line.startswith("step"))
+    # The humerus goes on moving, and the deltoid's skin with it.
+    assert frozen["step of skin_deltoid"]["value"] > 0.1
 
 
 # --- What is refused -----------------------------------------------------------------------------

@@ -11,6 +11,7 @@
 #include <string>
 #include <utility>
 
+#include "simulation/model_skin.h"
 #include "simulation/plugin_fixture.h"
 #include "simulation/shoulder_simulation.h"
 
@@ -121,7 +122,7 @@ TEST_F(BindPoseTest, IsWhereTheBonesWereWhenTheSkinWasMade) {
   for (const Sides sides : {Sides::kRight, Sides::kLeft, Sides::kBoth}) {
     const ModelPointer model = LoadedModel(SkinnedXml(sides, kFlexed, kSegmentCount));
     const std::optional<ShoulderPose> pose =
-        BindPose(*model, FindShoulders(*model, "shoulder.xml").back());
+        BindPose(*model, sides == Sides::kRight ? Side::kRight : Side::kLeft);
     ASSERT_TRUE(pose);
     EXPECT_LT(FarthestJoint_rad(*pose, kFlexed), kSingle_rad);
   }
@@ -129,12 +130,28 @@ TEST_F(BindPoseTest, IsWhereTheBonesWereWhenTheSkinWasMade) {
 
 TEST_F(BindPoseTest, IsNoneWhereTheSkinLeavesABoneOut) {
   const ModelPointer model = LoadedModel(SkinnedXml(Sides::kRight, kFlexed, kSegmentCount - 1));
-  EXPECT_FALSE(BindPose(*model, FindShoulders(*model, "shoulder.xml").front()));
+  EXPECT_FALSE(BindPose(*model, Side::kRight));
 }
 
 TEST_F(BindPoseTest, IsNoneWithoutSkin) {
   const ModelPointer model = LoadedModel(ShoulderXml());
-  EXPECT_FALSE(BindPose(*model, FindShoulders(*model, "shoulder.xml").front()));
+  EXPECT_FALSE(BindPose(*model, Side::kRight));
+}
+
+TEST_F(BindPoseTest, IsThatOfOurSkinWhateverElseAModelWears) {
+  // Clothes, which were made on the abducted arm, before the skin of the flexed one.
+  const std::string clothes = Replaced(SkinnedXml(Sides::kRight, kAbducted, kSegmentCount),
+                                       "<skin name=\"skin\"", "<skin name=\"clothes\"");
+  const std::string start = "<deformable>";
+  const std::string skinned = SkinnedXml(Sides::kRight, kFlexed, kSegmentCount);
+  const std::string skin = skinned.substr(skinned.find(start));
+  const ModelPointer model = LoadedModel(Replaced(clothes, "</mujoco>", skin));
+  ASSERT_EQ(model->nskin, 2);
+  ASSERT_STREQ(mj_id2name(model.get(), mjOBJ_SKIN, 0), "clothes");
+  const std::optional<ShoulderPose> pose = BindPose(*model, Side::kRight);
+  ASSERT_TRUE(pose);
+  EXPECT_LT(FarthestJoint_rad(*pose, kFlexed), kSingle_rad);
+  EXPECT_FALSE(BindPose(*LoadedModel(clothes), Side::kRight)) << "clothes are no skin";
 }
 
 }  // namespace

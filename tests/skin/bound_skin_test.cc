@@ -171,19 +171,6 @@ RC_GTEST_PROP(BlendedVertices, AreTheWeightedMeanOfWhereTheirBonesTakeThem, ()) 
   RC_ASSERT(glm::distance(blended_m[3], (taken_by(1, 3) + taken_by(3, 3)) / 2.0) < kRounding_m);
 }
 
-RC_GTEST_PROP(BlendedVertices, OfSomeAreThoseOfAll, ()) {
-  const BoundSkin skin = Skin();
-  const std::vector<BoneFrame> frames = *AnyFrames();
-  // In any order, and one of them twice.
-  const std::vector<int> some = {3, 1, 3, 0};
-  const std::vector<Vector3> all_m = BlendedVertices_m(skin, frames);
-  const std::vector<Vector3> some_m = BlendedVertices_m(skin, frames, some);
-  RC_ASSERT(some_m.size() == some.size());
-  for (std::size_t i = 0; i < some.size(); ++i) {
-    RC_ASSERT(glm::distance(some_m[i], all_m[static_cast<std::size_t>(some[i])]) < kRounding_m);
-  }
-}
-
 TEST(BlendedVertices, NeedAFrameOfEachBone) {
   const BoundSkin skin = Skin();
   std::vector<BoneFrame> frames = BindFrames(skin);
@@ -195,7 +182,6 @@ TEST(BlendedVertices, NeedAFrameOfEachBone) {
   } catch (const std::invalid_argument& error) {
     EXPECT_STREQ(error.what(), kMessage);
   }
-  EXPECT_THROW(static_cast<void>(BlendedVertices_m(skin, frames, {0})), std::invalid_argument);
   frames.resize(5);
   EXPECT_THROW(static_cast<void>(BlendedVertices_m(skin, frames)), std::invalid_argument);
 }

@@ -104,6 +104,24 @@ TEST(AcromionTip, RoofsTheHeadOfTheHumerus) {
   EXPECT_GT(tip_m.z, LandmarkInThorax_m(anatomy, pose, Landmark::kACJ).z) << "beside the AC joint";
 }
 
+// In the scapula's own directions: x forward off its plane, y up, z outward along its spine.
+TEST(AcromionTip, IsBesideAndBeforeTheAcJointAndAboveTheHead) {
+  const Anatomy anatomy = BuiltInAnatomy();
+  const Vector3 tip_m = AcromionTip_m(anatomy);
+  const Vector3 joint_m = anatomy.landmark_m(Landmark::kACJ);
+  EXPECT_GT(tip_m.z, joint_m.z) << "beside";
+  EXPECT_GT(tip_m.x, joint_m.x) << "before";
+  EXPECT_GT(tip_m.y, anatomy.landmark_m(Landmark::kGH).y) << "above";
+}
+
+// From its back corner to its tip an adult's acromion is some 5 cm long.
+TEST(AcromionTip, IsAnAcromionsLengthFromItsAngle) {
+  const double length_m = glm::distance(AcromionTip_m(BuiltInAnatomy()),
+                                        BuiltInAnatomy().landmark_m(Landmark::kAA));
+  EXPECT_GT(length_m, 0.045);
+  EXPECT_LT(length_m, 0.055);
+}
+
 TEST(AcromionTip, GrowsWithTheScapula) {
   const Vector3 adult_m = AcromionTip_m(BuiltInAnatomy());
   const double length_m = glm::length(BuiltInAnatomy().landmark_m(Landmark::kTS));

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <string>
@@ -42,6 +43,25 @@ const Quaternion kQuarterAboutX{std::sqrt(0.5), std::sqrt(0.5), 0, 0};  // y to 
 void ExpectAt(const Vector3& position_m, const Vector3& expected_m) {
   EXPECT_LT(glm::distance(position_m, expected_m), kRounding_m)
       << position_m.x << " " << position_m.y << " " << position_m.z;
+}
+
+// However the thorax stands, and for a left shoulder, which is the right one's mirror image, too.
+TEST(PoseOfBones, IsThePoseThatTurnedThem) {
+  const ShoulderPose pose = BuiltInRhythm().SolvePose({1.9, 0.4});
+  const Quaternion q_WT = Exp({0.4, -1.1, 0.7});
+  const std::array<Quaternion, kSegmentCount> q_TB = {Quaternion(1, 0, 0, 0), pose.q_TC,
+                                                      pose.q_TS(), pose.q_TH()};
+  for (const Side side : {Side::kRight, Side::kLeft}) {
+    std::array<Quaternion, kSegmentCount> q_WB{};
+    std::transform(q_TB.begin(), q_TB.end(), q_WB.begin(), [&](const Quaternion& q) {
+      return q_WT * (side == Side::kRight ? q : Mirrored(q));
+    });
+    const ShoulderPose found = PoseOfBones(side, q_WB);
+    constexpr double kRounding_rad = 1e-13;
+    EXPECT_LT(AngleBetween(found.q_TC, pose.q_TC), kRounding_rad);
+    EXPECT_LT(AngleBetween(found.q_CS, pose.q_CS), kRounding_rad);
+    EXPECT_LT(AngleBetween(found.q_SH, pose.q_SH), kRounding_rad);
+  }
 }
 
 TEST(LandmarkInThorax, ChainsTheBones) {

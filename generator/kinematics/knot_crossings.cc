@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "rhythms/knot_crossings.h"
+#include "kinematics/knot_crossings.h"
 
 #include <algorithm>
 #include <cmath>
