@@ -101,7 +101,7 @@ def test_a_measured_girdle_passes_all_that_can_fail(measured: Report) -> None:
 
 
 def test_the_blend_is_compared_at_rest_and_while_the_model_moves(measured: Report) -> None:
-    """A line without a comparison is no number and fails; one that has the other's tells nothing."""
+    """Without a comparison a line is no number and fails; with the other's it tells nothing."""
     at_rest, moving = (
         measured.skin[f"MuJoCo - linear blend, {state}"] for state in ("at rest", "moving")
     )
