@@ -81,7 +81,7 @@ def run_shell(block: str, folder: Path, program: Path) -> None:
 
 
 def test_the_readme_makes_every_kind_of_model(checkout: Path, program: Path) -> None:
-    (block,) = (text for text in blocks("sh") if "--side both" in text)
+    (block,) = (text for text in blocks("sh") if "--assembly loop" in text)
     run_shell(block, checkout, program)
     models = sorted(path.name for path in (checkout / "my_model").glob("shoulder_*"))
     assert models == ["shoulder_both.xml", "shoulder_left_position.xml", "shoulder_right.xml"]
@@ -146,8 +146,9 @@ def test_the_sizes_of_the_readme_can_be_typed(checkout: Path, program: Path) -> 
 def test_the_report_of_the_readme_has_the_lines_of_the_program(
     checkout: Path, program: Path
 ) -> None:
-    """Values that rounding makes may differ from machine to machine; everything else is the same."""
-    tiny = re.compile(r" +[0-9.]+e-(?:09|1[0-9]) | +0 ")
+    """Values that rounding makes, of skin in single precision, may differ from machine to machine;
+    everything else is the same."""
+    tiny = re.compile(r" +[0-9.]+e-(?:0[89]|1[0-9]) | +0\.000[0-9]+ | +0 ")
     printed = run(program, "verify", "build/model/scene.xml", folder=checkout).splitlines()
     kept = {tiny.sub(" ~ ", line).rsplit("  ", 1)[0].split("~")[0].rstrip() for line in printed}
     shown = re.search(r"```\n(residual .*?)\n\nmodel:", README, re.DOTALL)
