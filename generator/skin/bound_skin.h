@@ -34,8 +34,8 @@ struct BoundSkin {
 
 /// Returns the body's surface bound to `bones` where they stand. A vertex's smallest shares are
 /// dropped, but for one of each bone, since MuJoCo wants every bone to move something; the others
-/// are rounded, and places to kSkinDecimals of a metre, so that the same body gives the same skin on
-/// every machine.
+/// are rounded, and places to kSkinDecimals of a metre, so that the same body gives the same skin
+/// on every machine.
 [[nodiscard]] BoundSkin Bind(const PosedBody& body, const std::vector<SkinBone>& bones,
                              const SkinWeights& weights);
 inline constexpr int kSkinDecimals = 5;
