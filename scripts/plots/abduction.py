@@ -15,8 +15,10 @@ PAPERS_NUMBER = {"front": 11, "back": 12}
 COLUMNS = {"skin": "skin", "both": "bones in the skin"}
 # Wide enough for both arms held out.
 ASPECT = 2
-HEIGHT = 560
+HEIGHT = 640
 QUICK_HEIGHT = 100
+# Nothing is beside the hands.
+KEPT = (0.2, 0.8, 0, 1)
 
 
 def bone_angles(girdle: Girdle) -> NumberTable:
@@ -48,13 +50,13 @@ def pictures(girdle: Girdle, body: Body, camera: str, quick: bool) -> plt.Figure
     width = round(ASPECT * height)
     panels = [
         [
-            draw(girdle, body, elevation, View(camera, show, width, height))
+            draw(girdle, body, elevation, View(camera, show, width, height, kept=KEPT))
             for show in COLUMNS
         ]
         for elevation in ELEVATIONS_DEG
     ]
     rows = [f"{elevation}°" for elevation in ELEVATIONS_DEG]
-    return compose(panels, list(COLUMNS.values()), rows, panel_width=4.6)
+    return compose(panels, list(COLUMNS.values()), rows, panel_width=3.2)
 
 
 def make(girdle: Girdle, body: Body, camera: str, quick: bool) -> Figure:
