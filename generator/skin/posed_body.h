@@ -53,8 +53,8 @@ struct BoneFrame {
 [[nodiscard]] Vector3 OnSideInThorax_m(const Anatomy& anatomy, const ShoulderPose& pose, Side side,
                                        Segment segment, const Vector3& point_m) noexcept;
 
-/// Returns the tip of the acromion, scapula frame [m]: its front outer corner, beside and before the
-/// AC joint's centre, above the head of the humerus. No landmark of the ISB; put an acromion's
+/// Returns the tip of the acromion, scapula frame [m]: its front outer corner, beside and before
+/// the AC joint's centre, above the head of the humerus. No landmark of the ISB; put an acromion's
 /// length, some 5 cm, from the acromial angle (AA), after textbook figures. It grows with the
 /// scapula.
 [[nodiscard]] Vector3 AcromionTip_m(const Anatomy& anatomy) noexcept;

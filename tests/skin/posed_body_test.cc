@@ -116,8 +116,8 @@ TEST(AcromionTip, IsBesideAndBeforeTheAcJointAndAboveTheHead) {
 
 // From its back corner to its tip an adult's acromion is some 5 cm long.
 TEST(AcromionTip, IsAnAcromionsLengthFromItsAngle) {
-  const double length_m = glm::distance(AcromionTip_m(BuiltInAnatomy()),
-                                        BuiltInAnatomy().landmark_m(Landmark::kAA));
+  const double length_m =
+      glm::distance(AcromionTip_m(BuiltInAnatomy()), BuiltInAnatomy().landmark_m(Landmark::kAA));
   EXPECT_GT(length_m, 0.045);
   EXPECT_LT(length_m, 0.055);
 }
