@@ -16,6 +16,7 @@
 #include "tables/built_in.h"
 #include "tables/input_error.h"
 #include "tables/number_text.h"
+#include "tables/text_columns.h"
 
 namespace girdle {
 namespace {
@@ -26,14 +27,6 @@ struct ContinuityArguments {
   RhythmArguments rhythm;
   bool json = false;
 };
-
-std::string Left(std::string text, std::size_t width) {
-  text.resize(std::max(text.size(), width), ' ');
-  return text;
-}
-std::string Right(const std::string& text, std::size_t width) {
-  return std::string(width - std::min(width, text.size()), ' ') + text;
-}
 
 std::string_view DirectionName(Direction direction) {
   return kDirectionNames[static_cast<std::size_t>(direction)];
@@ -52,19 +45,19 @@ std::string JumpsAsText(const std::vector<InterpolationJumps>& jumps) {
   std::string text =
       "largest jump over the table's inner knots: of velocity (deg/deg), of acceleration "
       "(deg/deg^2)\n" +
-      Left("interpolation", kNameWidth) + Left("over", kDirectionWidth);
+      AlignedLeft("interpolation", kNameWidth) + AlignedLeft("over", kDirectionWidth);
   for (const char* order : {" velocity", " accel."}) {
     for (const std::string_view joint : kJointNames) {
-      text += Right(std::string(joint) + order, kNumberWidth + 1);
+      text += AlignedRight(std::string(joint) + order, kNumberWidth + 1);
     }
   }
   text += "\n";
   for (const InterpolationJumps& row : jumps) {
-    text += Left(std::string(Name(row.interpolation)), kNameWidth) +
-            Left(std::string(DirectionName(row.direction)), kDirectionWidth);
+    text += AlignedLeft(std::string(Name(row.interpolation)), kNameWidth) +
+            AlignedLeft(std::string(DirectionName(row.direction)), kDirectionWidth);
     for (const auto order : {&JumpSummary::first, &JumpSummary::second}) {
       for (const JumpSummary& joint : row.joints) {
-        text += Right(SignificantText(joint.*order, kDigits), kNumberWidth + 1);
+        text += AlignedRight(SignificantText(joint.*order, kDigits), kNumberWidth + 1);
       }
     }
     text += "\n";
@@ -76,14 +69,14 @@ std::string ChecksAsText(const std::vector<RhythmCheck>& checks) {
   constexpr std::size_t kNameWidth = 56;
   constexpr std::size_t kNumberWidth = 8;
   constexpr std::size_t kUnitWidth = 11;
-  std::string text = Left("check", kNameWidth) + Right("value", kNumberWidth) +
-                     Right("below", kNumberWidth) + "  " + Left("unit", kUnitWidth) +
+  std::string text = AlignedLeft("check", kNameWidth) + AlignedRight("value", kNumberWidth) +
+                     AlignedRight("below", kNumberWidth) + "  " + AlignedLeft("unit", kUnitWidth) +
                      "result  where\n";
   for (const RhythmCheck& check : checks) {
-    text += Left(check.name, kNameWidth) +
-            Right(SignificantText(check.value, kDigits), kNumberWidth) +
-            Right(SignificantText(check.limit, kDigits), kNumberWidth) + "  " +
-            Left(check.unit, kUnitWidth) + (check.passed() ? "pass    " : "FAIL    ") +
+    text += AlignedLeft(check.name, kNameWidth) +
+            AlignedRight(SignificantText(check.value, kDigits), kNumberWidth) +
+            AlignedRight(SignificantText(check.limit, kDigits), kNumberWidth) + "  " +
+            AlignedLeft(check.unit, kUnitWidth) + (check.passed() ? "pass    " : "FAIL    ") +
             check.where + "\n";
   }
   return text;

@@ -22,6 +22,7 @@
 #include "tables/input_error.h"
 #include "tables/number_text.h"
 #include "tables/rhythm_table_csv.h"
+#include "tables/text_columns.h"
 #include "tables/text_file.h"
 
 namespace girdle {
@@ -126,18 +127,15 @@ std::string ReportAsText(const DestepArguments& arguments, const SmoothingOption
   constexpr std::size_t kQuantityWidth = 32;
   constexpr std::size_t kJointWidth = 5;
   constexpr std::size_t kValueWidth = 7;
-  const auto padded = [](std::string text, std::size_t width) {
-    text.resize(std::max(width, text.size()), ' ');
-    return text;
-  };
   std::string text = "table    " + arguments.out + "\npenalty  " + NumberText(options.penalty) +
-                     "\n\n" + padded("largest", kQuantityWidth) + padded("of", kJointWidth) +
-                     padded("deg", kValueWidth) + "where\n";
+                     "\n\n" + AlignedLeft("largest", kQuantityWidth) +
+                     AlignedLeft("of", kJointWidth) + AlignedLeft("deg", kValueWidth) + "where\n";
   for (const auto& [joint, quantity, largest] : Reported(changes)) {
-    text += padded(quantity, kQuantityWidth) + padded(std::string(joint), kJointWidth) +
-            padded(RoundedText(DegreesFromRadians(largest.value_rad), kDecimals), kValueWidth) +
-            "plane " + DegreesText(table.planes_rad()[largest.plane]) + ", elevation " +
-            DegreesText(table.elevations_rad()[largest.elevation]) + "\n";
+    text +=
+        AlignedLeft(quantity, kQuantityWidth) + AlignedLeft(std::string(joint), kJointWidth) +
+        AlignedLeft(RoundedText(DegreesFromRadians(largest.value_rad), kDecimals), kValueWidth) +
+        "plane " + DegreesText(table.planes_rad()[largest.plane]) + ", elevation " +
+        DegreesText(table.elevations_rad()[largest.elevation]) + "\n";
   }
   return text;
 }

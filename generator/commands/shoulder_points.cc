@@ -5,12 +5,11 @@
 
 #include <algorithm>
 
+#include "kinematics/lengths.h"
 #include "tables/posed_bones.h"
 
 namespace girdle {
 namespace {
-
-constexpr double kMillimetersPerM = 1e3;
 
 // ASCII alone: landmarks are abbreviations.
 std::string InSmallLetters(std::string_view name) {
@@ -26,12 +25,12 @@ std::string InSmallLetters(std::string_view name) {
 std::vector<ShoulderPoint> ShoulderPoints(const Anatomy& anatomy, const ShoulderPose& pose) {
   std::vector<ShoulderPoint> points = {
       {"elbow",
-       kMillimetersPerM * InThorax_m(anatomy, pose, Segment::kHumerus, anatomy.elbow_m())}};
+       kMillimetersPerMeter * InThorax_m(anatomy, pose, Segment::kHumerus, anatomy.elbow_m())}};
   for (std::size_t i = 0; i < kLandmarkCount; ++i) {
     if (kLandmarks[i].sided) {  // the others are of the thorax and stay where they are
       points.push_back(
           {InSmallLetters(kLandmarks[i].name),
-           kMillimetersPerM * LandmarkInThorax_m(anatomy, pose, static_cast<Landmark>(i))});
+           kMillimetersPerMeter * LandmarkInThorax_m(anatomy, pose, static_cast<Landmark>(i))});
     }
   }
   return points;

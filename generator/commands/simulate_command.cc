@@ -28,8 +28,6 @@
 namespace girdle {
 namespace {
 
-constexpr double kFullCircle_deg = 360;
-
 struct SimulateArguments {
   std::string model;
   std::string plugin;

@@ -30,6 +30,7 @@
 #include "tables/built_in.h"
 #include "tables/input_error.h"
 #include "tables/number_text.h"
+#include "tables/text_columns.h"
 #include "tables/text_file.h"
 
 namespace girdle {
@@ -60,9 +61,9 @@ constexpr const char* kLandmarksKey = "landmarks_mm";
 
 // A million positions; more belong into a file.
 constexpr std::uint64_t kMostSwept = 1'000'000;
-constexpr double kFullCircle_deg = 360;
-constexpr SweptAngle kElevation = {"--elevation", "0:180:5", -kFullCircle_deg, kFullCircle_deg};
-constexpr SweptAngle kPlane = {"--plane", "-60:135:5", -kFullCircle_deg, kFullCircle_deg};
+constexpr SweptAngle kSweptElevation = {"--elevation", "0:180:5", -kFullCircle_deg,
+                                        kFullCircle_deg};
+constexpr SweptAngle kSweptPlane = {"--plane", "-60:135:5", -kFullCircle_deg, kFullCircle_deg};
 
 // One position of the arm as typed.
 struct TypedPose {
@@ -223,22 +224,14 @@ std::string PoseAsJson(const ShoulderRhythm& rhythm, const TypedPose& typed,
   return json.dump(2) + "\n";
 }
 
-constexpr std::size_t kNameWidth = 22;
+constexpr std::size_t kLabelWidth = 22;
 constexpr std::size_t kAngleWidth = 13;
 constexpr int kDecimals = 6;
-
-std::string AlignedLeft(std::string text, std::size_t width) {
-  text.resize(std::max(text.size(), width), ' ');
-  return text;
-}
-std::string AlignedRight(const std::string& text, std::size_t width) {
-  return std::string(width - std::min(width, text.size()), ' ') + text;
-}
 
 std::string AnglesAsText(const JointAngles& angles_rad) {
   std::string text;
   for (std::size_t k = 0; k < kCoordinateCount; ++k) {
-    text += AlignedLeft(std::string(kCoordinateNames[k]), kNameWidth) +
+    text += AlignedLeft(std::string(kCoordinateNames[k]), kLabelWidth) +
             AlignedRight(RoundedText(DegreesFromRadians(angles_rad[k]), kDecimals), kAngleWidth) +
             " deg\n";
   }
@@ -246,13 +239,13 @@ std::string AnglesAsText(const JointAngles& angles_rad) {
 }
 
 std::string PointsAsText(const Anatomy& anatomy, const ShoulderPose& pose) {
-  std::string text = "\n" + AlignedLeft("in the thorax (mm)", kNameWidth);
+  std::string text = "\n" + AlignedLeft("in the thorax (mm)", kLabelWidth);
   for (const char* axis : {"x", "y", "z"}) {
     text += AlignedRight(axis, kAngleWidth);
   }
   text += "\n";
   for (const ShoulderPoint& point : ShoulderPoints(anatomy, pose)) {
-    text += AlignedLeft(point.name, kNameWidth);
+    text += AlignedLeft(point.name, kLabelWidth);
     for (int axis = 0; axis < 3; ++axis) {
       text += AlignedRight(RoundedText(point.p_mm[axis], kDecimals), kAngleWidth);
     }
@@ -263,12 +256,12 @@ std::string PointsAsText(const Anatomy& anatomy, const ShoulderPose& pose) {
 
 // How each angle changes with elevation and plane.
 std::string RatesAsText(const ShoulderDerivatives& derivatives) {
-  std::string text = "\n" + AlignedLeft("change of", kNameWidth) +
+  std::string text = "\n" + AlignedLeft("change of", kLabelWidth) +
                      AlignedRight("elevation", kAngleWidth) + AlignedRight("plane", kAngleWidth) +
                      "  deg per deg\n";
   for (std::size_t k = 0; k < kCoordinateCount; ++k) {
     const AngleDerivatives& angle = derivatives.angles[k];
-    text += AlignedLeft(std::string(kCoordinateNames[k]), kNameWidth) +
+    text += AlignedLeft(std::string(kCoordinateNames[k]), kLabelWidth) +
             AlignedRight(RoundedText(angle.by_elevation, kDecimals), kAngleWidth) +
             AlignedRight(RoundedText(angle.by_plane, kDecimals), kAngleWidth) + "\n";
   }
@@ -403,8 +396,8 @@ void SolveSweep(const SolveArguments& arguments) {
     return text && IsSweep(*text) ? SweepValues_deg(angle, *text, kMostSwept)
                                   : std::vector{RequiredNumber(std::string(angle.option), text)};
   };
-  const std::vector<double> elevations_deg = values(kElevation, arguments.elevation_deg);
-  const std::vector<double> planes_deg = values(kPlane, arguments.plane_deg);
+  const std::vector<double> elevations_deg = values(kSweptElevation, arguments.elevation_deg);
+  const std::vector<double> planes_deg = values(kSweptPlane, arguments.plane_deg);
   if (elevations_deg.size() * planes_deg.size() > kMostSwept) {
     throw InputError("--elevation and --plane make " +
                      std::to_string(elevations_deg.size() * planes_deg.size()) +

@@ -16,15 +16,16 @@
 #include "commands/anatomy_arguments.h"
 #include "commands/output_file.h"
 #include "commands/rhythm_arguments.h"
+#include "kinematics/lengths.h"
 #include "rhythms/gliding_fit.h"
 #include "tables/built_in.h"
 #include "tables/input_error.h"
 #include "tables/number_text.h"
+#include "tables/text_columns.h"
 
 namespace girdle {
 namespace {
 
-constexpr double kMillimetersPerMeter = 1000;
 constexpr double kUnitsPerMeter = 1e4;  // of kEllipsoidDecimals
 constexpr int kMillimeterDecimals = 1;
 constexpr int kDistanceDecimals = 2;
@@ -114,14 +115,6 @@ std::vector<std::string> Provenance(const ThoraxReport& report) {
       "# Made by: girdle thorax --table " + report.table + " --out FILE",
       "# Units: meters, rounded to 0.1 mm. Frame: thorax (origin IJ, x anterior, y up, z right).",
       "# Derived: gliding is a fit, not an anatomical surface."};
-}
-
-std::string AlignedLeft(std::string text, std::size_t width) {
-  text.resize(std::max(text.size(), width), ' ');
-  return text;
-}
-std::string AlignedRight(const std::string& text, std::size_t width) {
-  return std::string(width - std::min(width, text.size()), ' ') + text;
 }
 
 std::string NumbersLine(const std::string& name, const Ellipsoid& ellipsoid, std::size_t name_width,

@@ -8,6 +8,8 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include "kinematics/lengths.h"
+
 namespace girdle {
 namespace {
 
@@ -22,7 +24,6 @@ struct NamedPoint {
 };
 
 std::string Millimeters(double length_m) {
-  constexpr double kMillimetersPerMeter = 1000;
   return std::to_string(std::lround(kMillimetersPerMeter * length_m)) + " mm";
 }
 

@@ -10,6 +10,8 @@
 #include <string_view>
 #include <utility>
 
+#include "kinematics/clamped.h"
+
 namespace girdle {
 namespace {
 
@@ -49,11 +51,6 @@ std::size_t IntervalIndex(const std::vector<double>& knots, double value) noexce
 // Place within interval i, equations (8) and (9).
 double IntervalWeight(const std::vector<double>& knots, std::size_t i, double value) noexcept {
   return (value - knots[i]) / (knots[i + 1] - knots[i]);
-}
-
-// Nearest value of [lower, upper]; a NaN gives `lower`.
-double Clamped(double value, double lower, double upper) noexcept {
-  return value > lower ? std::min(value, upper) : lower;
 }
 
 }  // namespace

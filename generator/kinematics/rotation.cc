@@ -15,9 +15,6 @@ namespace {
 Quaternion AboutX(double angle_rad) noexcept {
   return {std::cos(angle_rad / 2), std::sin(angle_rad / 2), 0, 0};
 }
-Quaternion AboutY(double angle_rad) noexcept {
-  return {std::cos(angle_rad / 2), 0, std::sin(angle_rad / 2), 0};
-}
 Quaternion AboutZ(double angle_rad) noexcept {
   return {std::cos(angle_rad / 2), 0, 0, std::sin(angle_rad / 2)};
 }
@@ -25,6 +22,10 @@ Quaternion AboutZ(double angle_rad) noexcept {
 double Length(double x, double y) noexcept { return std::sqrt(x * x + y * y); }
 
 }  // namespace
+
+Quaternion AboutY(double angle_rad) noexcept {
+  return {std::cos(angle_rad / 2), 0, std::sin(angle_rad / 2), 0};
+}
 
 Quaternion QuaternionFromEuler(EulerSequence sequence, const Vector3& angles_rad) noexcept {
   switch (sequence) {

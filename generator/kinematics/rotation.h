@@ -23,6 +23,8 @@ using Matrix3 = glm::dmat3;
 inline constexpr double kPi = std::numbers::pi;
 inline constexpr double kRadiansPerDegree = kPi / 180.0;
 inline constexpr double kDegreesPerRadian = 180.0 / kPi;
+inline constexpr double kHalfCircle_deg = 180;
+inline constexpr double kFullCircle_deg = 360;
 
 [[nodiscard]] constexpr double RadiansFromDegrees(double angle_deg) noexcept {
   return angle_deg * kRadiansPerDegree;
@@ -30,6 +32,9 @@ inline constexpr double kDegreesPerRadian = 180.0 / kPi;
 [[nodiscard]] constexpr double DegreesFromRadians(double angle_rad) noexcept {
   return angle_rad * kDegreesPerRadian;
 }
+
+/// Returns the turn by `angle_rad` about the y axis.
+[[nodiscard]] Quaternion AboutY(double angle_rad) noexcept;
 
 /// Order in which three turns about the moving axes are applied; the first letter turns first.
 enum class EulerSequence {

@@ -11,6 +11,7 @@
 #include <string>
 #include <utility>
 
+#include "kinematics/clamped.h"
 #include "kinematics/euler_angles.h"
 
 namespace girdle {
@@ -26,18 +27,9 @@ std::optional<Enum> FromName(const std::array<std::string_view, N>& names,
   return static_cast<Enum>(found - names.begin());
 }
 
-// Nearest value of [lower, upper]; a NaN gives `lower`.
-double Clamped(double value, double lower, double upper) noexcept {
-  return value > lower ? std::min(value, upper) : lower;
-}
-
 double FiniteOrZero(double value) noexcept { return std::isfinite(value) ? value : 0; }
 
 Quaternion Plain(const QuaternionOf<double>& q) noexcept { return {q.w, q.x, q.y, q.z}; }
-
-Quaternion AboutY(double angle_rad) noexcept {
-  return {std::cos(angle_rad / 2), 0, std::sin(angle_rad / 2), 0};
-}
 
 // What may be added to an angle so that it stays in its range, of what is to be added. An angle
 // that is outside already may go back only.

@@ -105,6 +105,24 @@ void ForEachCommand(const ArmRectangle& domain, const Visit& visit) {
   }
 }
 
+using LigamentLengths = std::array<double, kLigamentCount>;  ///< [m]
+
+void TakeLonger(const Anatomy& anatomy, const ShoulderPose& pose, LigamentLengths& longest_m) {
+  for (std::size_t i = 0; i < kLigamentCount; ++i) {
+    longest_m[i] = std::max(longest_m[i], LigamentLength_m(anatomy.ligaments[i], anatomy, pose));
+  }
+}
+
+// The anatomy's slack, or the longest length rounded up.
+LigamentLengths SlackFor(const Anatomy& anatomy, const LigamentLengths& longest_m) {
+  LigamentLengths slack_m{};
+  for (std::size_t i = 0; i < kLigamentCount; ++i) {
+    slack_m[i] = std::max(anatomy.ligaments[i].slack_m,
+                          std::ceil(longest_m[i] * kLengthStepsPerMeter) / kLengthStepsPerMeter);
+  }
+  return slack_m;
+}
+
 class ShoulderModelWriter {
  public:
   ShoulderModelWriter(const Anatomy& anatomy, const ShoulderRhythm& rhythm,
@@ -121,7 +139,7 @@ class ShoulderModelWriter {
   std::string Write() {
     CheckOptions();
     CheckTable();
-    CheckRanges();
+    const LigamentLengths slack_m = SurveyRhythm();
     XmlElement root = file_.root();
     root.Set("model", "girdle " +
                           std::string(kSidesNames[static_cast<std::size_t>(options_.sides)]) +
@@ -147,7 +165,7 @@ class ShoulderModelWriter {
     if (options_.assembly == Assembly::kLoop) {
       WriteEqualities(root.Add("equality"));
     }
-    WriteLigaments(root.Add("tendon"));
+    WriteLigaments(root.Add("tendon"), slack_m);
     XmlElement actuator = root.Add("actuator");
     for (const Side side : sides_) {
       if (options_.actuation == Actuation::kPlugin) {
@@ -202,8 +220,18 @@ class ShoulderModelWriter {
     }
   }
 
-  void CheckRanges() const {
-    ForEachCommand(rhythm_.domain(), [this](const ArmCommand& command) { CheckRangesAt(command); });
+  // Checks the ranges, and returns the ligaments' slack, both wherever the rhythm goes: most of
+  // writing's time is spent here.
+  [[nodiscard]] LigamentLengths SurveyRhythm() const {
+    LigamentLengths longest_m{};
+    TakeLonger(anatomy_, HangingIn(RelaxedStanding(), rhythm_), longest_m);
+    ForEachCommand(rhythm_.domain(), [&](const ArmCommand& command) {
+      ArmCommand used;
+      const ShoulderPose pose = assembled_.SolvePose(command, &used);
+      CheckRanges(used, DrivenAngles(options_.assembly, pose));
+      TakeLonger(anatomy_, pose, longest_m);
+    });
+    return SlackFor(anatomy_, longest_m);
   }
 
   [[nodiscard]] const CoordinateRange& RangeOf(std::size_t coordinate) const {
@@ -212,9 +240,7 @@ class ShoulderModelWriter {
                : anatomy_.ranges[coordinate];
   }
 
-  void CheckRangesAt(const ArmCommand& command) const {
-    ArmCommand used;
-    const JointAngles angles_rad = assembled_.SolveAngles(command, &used);
+  void CheckRanges(const ArmCommand& used, const JointAngles& angles_rad) const {
     for (std::size_t k = 0; k < kCoordinateCount; ++k) {
       const CoordinateRange& range = RangeOf(k);
       // Rounding may take an angle over the range that its table ends at.
@@ -443,19 +469,18 @@ class ShoulderModelWriter {
   }
 
   // Ligaments pull and never push: from no length to slack there is no force.
-  void WriteLigaments(XmlElement tendon) const {
+  void WriteLigaments(XmlElement tendon, const LigamentLengths& slack_m) const {
     for (std::size_t i = 0; i < kLigamentCount; ++i) {
       const Ligament& ligament = anatomy_.ligaments[i];
-      const double slack_m = LigamentSlack_m(ligament, anatomy_, assembled_);
       for (const Side side : sides_) {
         XmlElement spatial =
             tendon.Add("spatial")
                 .Set("name", SidedName(kLigamentNames[i], side))
                 .Set("class", "girdle")
                 .Set("stiffness", ligament.stiffness_N_per_m)
-                .Set("springlength", std::array{0.0, slack_m})
+                .Set("springlength", std::array{0.0, slack_m[i]})
                 .Set("range",
-                     std::array{0.0, RoundedToStep(slack_m + ligament.failure_elongation_m)});
+                     std::array{0.0, RoundedToStep(slack_m[i] + ligament.failure_elongation_m)});
         for (const Segment segment : {Segment::kClavicle, Segment::kScapula}) {
           const std::string_view bone = kSegmentNames[static_cast<std::size_t>(segment)];
           spatial.Add("site").Set("site",
@@ -723,17 +748,6 @@ std::vector<Side> SidesOf(Sides sides) {
       break;
   }
   return {Side::kRight, Side::kLeft};
-}
-
-double LigamentSlack_m(const Ligament& ligament, const Anatomy& anatomy,
-                       const AssembledRhythm& rhythm) {
-  double longest_m =
-      LigamentLength_m(ligament, anatomy, HangingIn(RelaxedStanding(), rhythm.rhythm()));
-  ForEachCommand(rhythm.rhythm().domain(), [&](const ArmCommand& command) {
-    longest_m = std::max(longest_m, LigamentLength_m(ligament, anatomy, rhythm.SolvePose(command)));
-  });
-  return std::max(ligament.slack_m,
-                  std::ceil(longest_m * kLengthStepsPerMeter) / kLengthStepsPerMeter);
 }
 
 std::string ShoulderModelXml(const Anatomy& anatomy, const ShoulderRhythm& rhythm,

@@ -64,16 +64,12 @@ struct ShoulderModelOptions {
   std::optional<SkinElement> skin = std::nullopt;
 };
 
-/// Returns from which length [m] on a ligament pulls in a model: the anatomy's slack, or the
-/// longest that the rhythm makes it anywhere on a grid of 1 deg or in relaxed standing, rounded up
-/// to 0.1 mm, if that is longer. What is asked of the joints never stretches it; what pushes them
-/// aside does.
-[[nodiscard]] double LigamentSlack_m(const Ligament& ligament, const Anatomy& anatomy,
-                                     const AssembledRhythm& rhythm);
-
 /// Returns the model as XML, complete in one file. In a model of both shoulders the landmarks of
 /// the thorax that have no side lie in the median plane. Joint coordinates start where the
-/// controls' zero leads: the arm hanging, or the lowest position of a clamped rhythm. Radians,
+/// controls' zero leads: the arm hanging, or the lowest position of a clamped rhythm. A ligament
+/// pulls from the anatomy's slack on, or from the longest that the rhythm makes it anywhere on a
+/// grid of 1 deg or in relaxed standing, rounded up to 0.1 mm, if that is longer: what is asked of
+/// the joints never stretches it, and what pushes them aside does. Radians,
 /// meters, kilograms; world z up, x to the front. Throws std::invalid_argument if the rhythm leaves
 /// the anatomy's joint ranges, looked for on a grid of 1 deg, or if the options name a table that
 /// is not the rhythm's, ask for rates that interpolation or assembly do not have, for a loop of a

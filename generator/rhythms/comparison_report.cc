@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "tables/number_text.h"
+#include "tables/text_columns.h"
 
 namespace girdle {
 namespace {
@@ -30,6 +31,9 @@ constexpr std::array<std::string_view, kDifferenceCount> kDifferenceLabels = {
     "scapula internal rotation",
     "scapula upward rotation",
     "scapula tilt"};
+
+// Two columns of words, then numbers.
+const std::vector<Alignment> kWordsFirst = {Alignment::kLeft, Alignment::kLeft, Alignment::kRight};
 
 // Places of a grid, in degrees as they were typed.
 std::string PlaceText(double angle_rad) {
@@ -57,27 +61,6 @@ std::string FixedText(double value, int decimals) {
 
 std::string AngleText(double angle_rad) { return FixedText(DegreesFromRadians(angle_rad), 1); }
 
-// Rows below each other, the first `left_aligned` columns to the left and the others to the right.
-std::string TableText(const std::vector<Row>& rows, std::size_t left_aligned) {
-  std::vector<std::size_t> widths(rows.front().size());
-  for (const Row& row : rows) {
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      widths[i] = std::max(widths[i], row[i].size());
-    }
-  }
-  std::string text;
-  for (const Row& row : rows) {
-    std::string line;
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      const std::string padding(widths[i] - row[i].size(), ' ');
-      line += (i == 0 ? "" : "  ") + (i < left_aligned ? row[i] + padding : padding + row[i]);
-    }
-    line.erase(line.find_last_not_of(' ') + 1);
-    text += line + "\n";
-  }
-  return text;
-}
-
 void AppendSummary(Row& row, const std::optional<DifferenceSummary>& summary) {
   if (!summary) {
     row.insert(row.end(), 3, std::string(kNothing));
@@ -100,7 +83,7 @@ std::string DifferenceTable(const Comparison& comparison) {
       rows.push_back(std::move(row));
     }
   }
-  return TableText(rows, 2);
+  return ColumnsText(rows, kWordsFirst);
 }
 
 std::string RatioTable(const Comparison& comparison) {
@@ -120,7 +103,7 @@ std::string RatioTable(const Comparison& comparison) {
     }
     rows.push_back(std::move(row));
   }
-  return TableText(rows, 0);
+  return ColumnsText(rows, {Alignment::kRight});
 }
 
 nlohmann::ordered_json SummaryAsJson(const std::optional<DifferenceSummary>& summary) {
@@ -219,7 +202,7 @@ std::string ComparisonAsText(const Comparison& comparison) {
   for (const RhythmComparison& rhythm : comparison.rhythms) {
     says.push_back({std::string(rhythm.rhythm.name), std::string(rhythm.rhythm.says)});
   }
-  text += "\n\n" + TableText(says, 2) + "\n" + DifferenceTable(comparison);
+  text += "\n\n" + ColumnsText(says, kWordsFirst) + "\n" + DifferenceTable(comparison);
   text +=
       "\nDegrees, at elevation/plane. SC, AC, GH: angle of the rotation between the two; with the "
       "same humerus,\nGH's is also that of the scapula in the thorax. The others: rhythm minus "

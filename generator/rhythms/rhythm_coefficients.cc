@@ -13,7 +13,6 @@
 namespace girdle {
 namespace {
 
-constexpr double kHalfCircle_deg = 180;
 // No bone of the girdle turns faster than the arm that takes it along.
 constexpr double kLargestFactor = 1;
 

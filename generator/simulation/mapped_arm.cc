@@ -27,9 +27,7 @@ constexpr double kLargestStep_rad = 5 * kRadiansPerDegree;
 // A joint may be put this far beyond its range: rounding.
 constexpr double kRangeRounding_rad = 1e-9;
 
-// A model at rest: so slow throughout the last while. At 20 ms of lag of a servo that is 1e-6 deg
-// from where it goes to.
-constexpr double kRestSpeed_rad_per_s = 1e-6;
+// A model at rest: so slow throughout the last while.
 constexpr double kRestDuration_s = 0.1;
 constexpr double kLongestSettling_s = 10;
 

@@ -13,6 +13,9 @@
 
 namespace girdle {
 
+/// A model is at rest below it: at 20 ms of lag of a servo that is 1e-6 deg from where it goes to.
+inline constexpr double kRestSpeed_rad_per_s = 1e-6;
+
 /// What became of a move. "Not reached" is a result, not an error.
 struct ArmMove {
   bool reached = false;

@@ -8,6 +8,7 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "kinematics/isb_frames.h"
+#include "kinematics/lengths.h"
 #include "simulation/named_elements.h"
 #include "tables/input_error.h"
 #include "tables/number_text.h"
@@ -18,7 +19,7 @@ namespace {
 // No side of a landmark triangle of a child or an adult is shorter or longer [m].
 constexpr double kShortestSide_m = 0.01;
 constexpr double kLongestSide_m = 1;
-constexpr int kDigits = 3;
+constexpr int kMessageDigits = 3;
 
 constexpr std::array<std::pair<Segment, std::string_view>, 3> kTriangleNames = {{
     {Segment::kThorax, "IJ, C7 and the middle of PX and T8"},
@@ -137,8 +138,8 @@ void MappedShoulder::ExpectSound(const mjData& data) const {
     const auto [shortest_m, longest_m] = std::minmax_element(sides_m.begin(), sides_m.end());
     if (*shortest_m < kShortestSide_m || *longest_m > kLongestSide_m) {
       throw InputError(mapping_.file, line,
-                       std::string(names) + " are " + SignificantText(*shortest_m, kDigits) +
-                           " to " + SignificantText(*longest_m, kDigits) +
+                       std::string(names) + " are " + SignificantText(*shortest_m, kMessageDigits) +
+                           " to " + SignificantText(*longest_m, kMessageDigits) +
                            " m apart in the model, expected " + NumberText(kShortestSide_m) +
                            " to " + NumberText(kLongestSide_m) +
                            ". Correct the points; the model has to be in meters");
@@ -148,7 +149,7 @@ void MappedShoulder::ExpectSound(const mjData& data) const {
     if (height_m < kNearlyOnALine * *longest_m) {
       throw InputError(mapping_.file, line,
                        std::string(names) + " lie nearly on a line, " +
-                           SignificantText(1000 * height_m, kDigits) +
+                           SignificantText(kMillimetersPerMeter * height_m, kMessageDigits) +
                            " mm off it, and tell no frame. Correct the points");
     }
   }
@@ -163,8 +164,9 @@ void MappedShoulder::ExpectSound(const mjData& data) const {
   if (scapula_z_T.z <= 0) {
     const std::string side(kSideNames[static_cast<std::size_t>(mapping_.side)]);
     throw InputError(mapping_.file + ": the scapula points to the middle of the body (z of its " +
-                     "frame in the thorax " + RoundedText(scapula_z_T.z, kDigits) + "), which no " +
-                     side + " shoulder does. Correct the side, or swap TS and PAC");
+                     "frame in the thorax " + RoundedText(scapula_z_T.z, kMessageDigits) +
+                     "), which no " + side +
+                     " shoulder does. Correct the side, or swap TS and PAC");
   }
 }
 

@@ -15,8 +15,6 @@
 namespace girdle {
 namespace {
 
-constexpr double kFullCircle_deg = 360;
-
 ArmCommand Between(const ArmCommand& a, const ArmCommand& b, double t) {
   const auto mix = [t](double from, double to) { return from + t * (to - from); };
   return {mix(a.elevation_rad, b.elevation_rad), mix(a.plane_rad, b.plane_rad),

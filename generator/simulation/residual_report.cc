@@ -4,59 +4,42 @@
 #include "simulation/residual_report.h"
 
 #include <algorithm>
-#include <array>
 #include <nlohmann/json.hpp>
 #include <vector>
 
 #include "tables/number_text.h"
+#include "tables/text_columns.h"
 
 namespace girdle {
 namespace {
 
-constexpr std::size_t kColumns = 7;
-using Row = std::array<std::string, kColumns>;
-// Numbers stand to the right, words to the left.
-constexpr std::array<bool, kColumns> kRightAligned = {false, false, true, true,
-                                                      false, false, false};
-
-constexpr int kDigits = 3;
+constexpr int kReportedDigits = 3;
 
 std::string ToleranceText(const Residual& residual) {
   return residual.tolerance ? (residual.bound == Bound::kMoreThan ? "> " : "") +
-                                  SignificantText(*residual.tolerance, kDigits)
+                                  SignificantText(*residual.tolerance, kReportedDigits)
                             : "-";
 }
 
 }  // namespace
 
 std::string ReportAsText(const ResidualReport& report) {
-  std::vector<Row> rows = {{"residual", "of", "value", "tolerance", "unit", "result", "where"}};
+  std::vector<std::vector<std::string>> rows = {
+      {"residual", "of", "value", "tolerance", "unit", "result", "where"}};
   for (const Residual& residual : report.residuals) {
-    rows.push_back({residual.group, residual.item, SignificantText(residual.value, kDigits),
+    rows.push_back({residual.group, residual.item, SignificantText(residual.value, kReportedDigits),
                     ToleranceText(residual), residual.unit,
                     !residual.tolerance ? "stated"
                     : residual.passed() ? "pass"
                                         : "FAIL",
                     residual.where});
   }
-  std::array<std::size_t, kColumns> widths{};
-  for (const Row& row : rows) {
-    for (std::size_t i = 0; i < kColumns; ++i) {
-      widths[i] = std::max(widths[i], row[i].size());
-    }
-  }
   std::string text = "model   " + report.model + "\nkind    " + report.kind + "\nrhythm  " +
                      report.rhythm + "\nengine  MuJoCo " + report.engine + "\n\n";
-  for (const Row& row : rows) {
-    for (std::size_t i = 0; i < kColumns; ++i) {
-      const std::string padding(widths[i] - row[i].size(), ' ');
-      if (i + 1 == kColumns) {
-        text += row[i] + "\n";
-      } else {
-        text += (kRightAligned[i] ? padding + row[i] : row[i] + padding) + "  ";
-      }
-    }
-  }
+  // Numbers stand to the right, words to the left.
+  constexpr Alignment kWords = Alignment::kLeft;
+  constexpr Alignment kNumbers = Alignment::kRight;
+  text += ColumnsText(rows, {kWords, kWords, kNumbers, kNumbers, kWords});
   const auto failed = std::count_if(report.residuals.begin(), report.residuals.end(),
                                     [](const Residual& residual) { return !residual.passed(); });
   const bool are_bones_others = std::any_of(

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "kinematics/isb_frames.h"
+#include "kinematics/lengths.h"
 #include "simulation/extreme.h"
 #include "simulation/motion.h"
 #include "simulation/skin_residuals.h"
@@ -24,8 +25,6 @@
 
 namespace girdle {
 namespace {
-
-constexpr double kMillimetersPerMeter = 1000;
 
 // Of a loop, whose AC joint a soft constraint holds: at rest, and while the arm goes up and down
 // once a second.

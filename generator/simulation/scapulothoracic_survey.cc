@@ -10,6 +10,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "kinematics/lengths.h"
 #include "simulation/residual_report.h"
 #include "tables/ellipsoid.h"
 #include "tables/input_error.h"
@@ -18,12 +19,10 @@
 namespace girdle {
 namespace {
 
-constexpr double kMillimetersPerMeter = 1000;
 // SC and AC were measured from here up.
 constexpr double kLowestMeasured_deg = 30;
-// What Newton's method leaves of couplings, and the speed of a model at rest (mapped_arm.cc).
+// What Newton's method leaves of couplings (mapped_arm.cc).
 constexpr double kCouplingTolerance = 1e-9;
-constexpr double kRestSpeed_rad_per_s = 1e-6;
 // Landmarks of one bone keep their distances; PAC may be on the clavicle, which a soft joint lets
 // go by a tenth of a millimeter.
 constexpr double kRigid_mm = 1;

@@ -12,6 +12,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "kinematics/lengths.h"
 #include "tables/body_size.h"
 #include "tables/built_in.h"
 #include "tables/input_error.h"
@@ -22,7 +23,6 @@ namespace girdle {
 namespace {
 
 constexpr const char* kGroup = "skin";
-constexpr double kMillimetersPerMeter = 1000;
 constexpr double kPercent = 100;
 
 // MuJoCo blends skin in single precision, a metre and a half above the floor.

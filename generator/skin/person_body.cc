@@ -7,6 +7,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <optional>
 
+#include "kinematics/lengths.h"
 #include "skin/mesh_file.h"
 #include "skin/surface_depth.h"
 #include "tables/input_error.h"
@@ -16,8 +17,6 @@
 
 namespace girdle {
 namespace {
-
-constexpr double kMillimetersPerMeter = 1000;
 
 std::string OutsideText(double depth_m) {
   return RoundedText(-depth_m * kMillimetersPerMeter, 0) + " mm outside the skin of ";

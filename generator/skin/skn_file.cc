@@ -20,13 +20,13 @@ void Append(std::string& bytes, std::uint32_t word) {
 void AppendInteger(std::string& bytes, std::size_t number) {
   Append(bytes, static_cast<std::uint32_t>(number));
 }
-void AppendNumber(std::string& bytes, double number) {
+void AppendFloat(std::string& bytes, double number) {
   Append(bytes, std::bit_cast<std::uint32_t>(static_cast<float>(number)));
 }
 void AppendVector(std::string& bytes, const Vector3& vector) {
-  AppendNumber(bytes, vector.x);
-  AppendNumber(bytes, vector.y);
-  AppendNumber(bytes, vector.z);
+  AppendFloat(bytes, vector.x);
+  AppendFloat(bytes, vector.y);
+  AppendFloat(bytes, vector.z);
 }
 
 }  // namespace
@@ -52,14 +52,14 @@ std::string SknBytes(const BoundSkin& skin) {
     bytes += bone.body;
     bytes.append(kNameBytes - bone.body.size(), '\0');
     AppendVector(bytes, bone.bind.p_TB_m);
-    AppendNumber(bytes, bone.bind.q_TB.w);
+    AppendFloat(bytes, bone.bind.q_TB.w);
     AppendVector(bytes, {bone.bind.q_TB.x, bone.bind.q_TB.y, bone.bind.q_TB.z});
     AppendInteger(bytes, bone.weights.size());
     for (const VertexWeight& share : bone.weights) {
       Append(bytes, static_cast<std::uint32_t>(share.vertex));
     }
     for (const VertexWeight& share : bone.weights) {
-      AppendNumber(bytes, share.weight);
+      AppendFloat(bytes, share.weight);
     }
   }
   return bytes;

@@ -20,7 +20,6 @@ namespace {
 constexpr double kFarthestLandmark_m = 1;
 constexpr double kHeaviestSegment_kg = 200;
 constexpr double kLargestInertia_kg_m2 = 100;
-constexpr double kHalfCircle_deg = 180;
 // From the clavicle to the coracoid process there are some centimeters.
 constexpr double kLongestLigament_m = 0.2;
 constexpr double kStiffestLigament_N_per_m = 1e7;

@@ -14,7 +14,6 @@ namespace {
 
 // Nothing in a shoulder lies farther from the origin of its body; millimetres do.
 constexpr double kFarthestPoint_m = 1;
-constexpr double kFullCircle_deg = 360;
 // A coordinate turns some times as fast as the arm at most; degrees for radians are 57 times.
 constexpr double kLargestFactor = 10;
 

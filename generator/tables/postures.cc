@@ -14,7 +14,6 @@
 namespace girdle {
 namespace {
 
-constexpr double kHalfCircle_deg = 180;
 constexpr std::size_t kGirdleCoordinates = 6;
 
 }  // namespace

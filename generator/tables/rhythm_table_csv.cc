@@ -19,8 +19,6 @@
 namespace girdle {
 namespace {
 
-constexpr double kHalfCircle_deg = 180;
-constexpr double kFullCircle_deg = 360;
 constexpr std::string_view kMeasured = "measured";
 constexpr std::string_view kDerived = "sc_ac_derived";
 constexpr std::array<std::string_view, 3> kScapulothoracicColumns = {

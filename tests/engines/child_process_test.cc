@@ -9,7 +9,7 @@
 #include <csignal>
 #include <string>
 
-namespace girdle {
+namespace girdle::child_process_test {
 namespace {
 
 constexpr int kAmple_s = 30;
@@ -74,4 +74,4 @@ TEST(RunInChild, NothingThatTheChildDoesIsDoneHere) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::child_process_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace girdle {
+namespace girdle::engine_version_test {
 namespace {
 
 TEST(EngineVersion, IsReadFromMujocosNumberNewAndOld) {
@@ -34,4 +34,4 @@ TEST(EngineVersion, PipKnowsTheLibraryByAnotherNameSinceFour) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::engine_version_test

@@ -16,7 +16,7 @@
 #include "kinematics/random_rotations.h"
 #include "kinematics/shoulder_pose.h"
 
-namespace girdle {
+namespace girdle::arm_directions_test {
 namespace {
 
 // A few dozen roundings of numbers of size one.
@@ -203,4 +203,4 @@ RC_GTEST_PROP(HumerusRotation, HasTheIsbAnglesThatTheHeaderSays, ()) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::arm_directions_test

@@ -22,7 +22,7 @@
 #include "kinematics/random_rotations.h"
 #include "kinematics/shipped_data.h"
 
-namespace girdle {
+namespace girdle::assembled_rhythm_test {
 namespace {
 
 // A few dozen roundings of angles of some radians, through quaternions.
@@ -375,4 +375,4 @@ RC_GTEST_PROP(DrivenAngles, AreThoseOfTheScapulaOnTheThoraxInALoop, ()) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::assembled_rhythm_test

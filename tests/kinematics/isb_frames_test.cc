@@ -21,7 +21,7 @@
 #include "kinematics/shipped_data.h"
 #include "kinematics/shoulder_rhythm.h"
 
-namespace girdle {
+namespace girdle::isb_frames_test {
 namespace {
 
 // A few dozen roundings, of landmarks up to ten times as far off as they are apart.
@@ -193,7 +193,7 @@ TEST(ThoraxFrame, OfLandmarksOnALineIsNotFinite) {
 RC_GTEST_PROP(ClavicleFrame, HasItsLongAxisThroughPacAndNoForwardRise, ()) {
   const Vector3 sc = *VectorWithin(-1, 1);
   const Vector3 pac = *VectorWithin(-1, 1);
-  const Vector3 thorax_y = *Direction();
+  const Vector3 thorax_y = *UnitVector();
   RC_PRE(glm::length(glm::cross(thorax_y, pac - sc)) > 0.01);
   const Quaternion q_AC = ClavicleFrame(sc, pac, thorax_y);
   constexpr double kRoundingOfShortLines = 1e-12;
@@ -439,4 +439,4 @@ TEST(IsHumerusTurnedAround, SaysNothingOfAnArmStraightUp) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::isb_frames_test

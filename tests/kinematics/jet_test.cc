@@ -12,7 +12,7 @@
 
 #include "kinematics/random_rotations.h"
 
-namespace girdle {
+namespace girdle::jet_test {
 namespace {
 
 // A few dozen roundings of numbers of size ten.
@@ -154,4 +154,4 @@ TEST(DerivativeOf, APolynomialHasItsPowersAsFactors) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::jet_test

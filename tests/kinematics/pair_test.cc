@@ -16,7 +16,7 @@
 #include "kinematics/random_rotations.h"
 #include "kinematics/rotation.h"
 
-namespace girdle {
+namespace girdle::pair_test {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -158,4 +158,4 @@ TEST(ArcTangent, DoesNotSeeTheSignOfAZero) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::pair_test

@@ -53,7 +53,7 @@ inline rc::Gen<Vector3> VectorWithin(double lower, double upper) {
 }
 
 /// Unit vector of any direction.
-inline rc::Gen<Vector3> Direction() {
+inline rc::Gen<Vector3> UnitVector() {
   return rc::gen::map(rc::gen::pair(NumberWithin(-1, 1), NumberWithin(-kPi, kPi)),
                       [](const std::pair<double, double>& height_and_turn) {
                         const auto [height, turn] = height_and_turn;

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace girdle {
+namespace girdle::rhythm_table_test {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -183,4 +183,4 @@ INSTANTIATE_TEST_SUITE_P(Places, CellOf,
                                          CellCase{kNan, 65, 0, 1}, CellCase{45, kNan, 2, 0}));
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::rhythm_table_test

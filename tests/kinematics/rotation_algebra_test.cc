@@ -15,7 +15,7 @@
 #include "kinematics/euler_angles.h"
 #include "kinematics/random_rotations.h"
 
-namespace girdle {
+namespace girdle::rotation_algebra_test {
 namespace {
 
 // A few dozen roundings of numbers of size one.
@@ -69,12 +69,12 @@ TEST(CosineAndSineOfRoot, HaveTheDerivativesOfTheClosedForm) {
 }
 
 RC_GTEST_PROP(ExpOf, IsExpUpToHalfATurn, ()) {
-  const Vector3 u = *NumberWithin(0, kPi) * *Direction();
+  const Vector3 u = *NumberWithin(0, kPi) * *UnitVector();
   RC_ASSERT(Difference(Plain(ExpOf(Plain(u))), Exp(u)) < kRounding);
 }
 
 RC_GTEST_PROP(LogOf, IsLogUpToARightAngle, ()) {
-  const Vector3 u = *NumberWithin(0, kPi / 2) * *Direction();
+  const Vector3 u = *NumberWithin(0, kPi / 2) * *UnitVector();
   const Vector3 back = Plain(LogOf(Plain(Exp(u))));
   RC_ASSERT(glm::length(back - u) < kRounding);
 }
@@ -93,7 +93,7 @@ TEST(LogOf, ATinyTurnIsTheTurn) {
 
 // "At 120 deg 1e-10."
 RC_GTEST_PROP(LogOf, IsALittleOffBeyondARightAngle, ()) {
-  const Vector3 u = RadiansFromDegrees(*NumberWithin(90, 120)) * *Direction();
+  const Vector3 u = RadiansFromDegrees(*NumberWithin(90, 120)) * *UnitVector();
   RC_ASSERT(glm::length(Plain(LogOf(Plain(Exp(u)))) - u) < 1e-9);
 }
 
@@ -111,7 +111,7 @@ QuaternionOf<Dual<double>> Turning(const Vector3& u, const Vector3& v, const Qua
 
 RC_GTEST_PROP(BodyVelocity, IsThatOfDifferencesInTheChild, ()) {
   constexpr double kStep = 1e-5;
-  const Vector3 u = *NumberWithin(0, 3) * *Direction();
+  const Vector3 u = *NumberWithin(0, 3) * *UnitVector();
   const Vector3 v = *VectorWithin(-1, 1);
   const Quaternion q = *UnitQuaternion();
   const auto at = [&](double e) { return Exp(u + e * v) * q; };
@@ -121,7 +121,7 @@ RC_GTEST_PROP(BodyVelocity, IsThatOfDifferencesInTheChild, ()) {
 }
 
 RC_GTEST_PROP(BodyVelocity, DoesNotChangeWithTheParentsFrame, ()) {
-  const Vector3 u = *NumberWithin(0, 3) * *Direction();
+  const Vector3 u = *NumberWithin(0, 3) * *UnitVector();
   const Vector3 v = *VectorWithin(-1, 1);
   const Quaternion p = *UnitQuaternion();
   const QuaternionOf<Dual<double>> q = Turning(u, v, *UnitQuaternion());
@@ -213,4 +213,4 @@ RC_GTEST_PROP(EulerAnglesOf, PairsAreThoseOfBoth, ()) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::rotation_algebra_test

@@ -15,7 +15,7 @@
 
 #include "kinematics/random_rotations.h"
 
-namespace girdle {
+namespace girdle::rotation_spline_test {
 namespace {
 
 // A few dozen roundings of numbers of size one.
@@ -42,7 +42,7 @@ Quaternion AboutAxis(double angle_rad) {
 std::vector<Quaternion> Knots(std::size_t size) {
   std::vector<Quaternion> knots = {*UnitQuaternion()};
   while (knots.size() < size) {
-    knots.push_back(AtArc(knots.back(), *Direction(), *NumberWithin(0, kPi / 6)));
+    knots.push_back(AtArc(knots.back(), *UnitVector(), *NumberWithin(0, kPi / 6)));
   }
   return knots;
 }
@@ -93,14 +93,14 @@ RC_GTEST_PROP(Slerp, IsTheClosedFormula, ()) {
   const double W = *NumberWithin(0.01, kPi - 0.01);
   const double tolerance = kRounding / (std::sin(W) * std::sin(W));  // as in SlerpAcross
   const Quaternion a = *UnitQuaternion();
-  const Quaternion b = AtArc(a, *Direction(), W);
+  const Quaternion b = AtArc(a, *UnitVector(), W);
   const double t = *NumberWithin(0, 1);
   RC_ASSERT(Difference(Slerp(a, b, t), FormulaSlerp(a, b, W, t)) < tolerance);
 }
 
 RC_GTEST_PROP(Slerp, StartsAndEndsExactly, ()) {
   const Quaternion a = *UnitQuaternion();
-  const Quaternion b = AtArc(a, *Direction(), *NumberWithin(0, kPi));
+  const Quaternion b = AtArc(a, *UnitVector(), *NumberWithin(0, kPi));
   RC_ASSERT(Slerp(a, b, 0) == a);
   RC_ASSERT(Slerp(a, b, 1) == b);
 }
@@ -108,7 +108,7 @@ RC_GTEST_PROP(Slerp, StartsAndEndsExactly, ()) {
 RC_GTEST_PROP(Slerp, TurnsAtAConstantSpeed, ()) {
   const Quaternion a = *UnitQuaternion();
   const double turn_rad = *NumberWithin(0, 0.9 * kPi);
-  const Quaternion b = AtArc(a, *Direction(), turn_rad / 2);
+  const Quaternion b = AtArc(a, *UnitVector(), turn_rad / 2);
   const double t = *NumberWithin(0, 0.9);
   RC_ASSERT(std::abs(AngleBetween(Slerp(a, b, t), Slerp(a, b, t + 0.1)) - 0.1 * turn_rad) <
             kRounding);
@@ -117,14 +117,14 @@ RC_GTEST_PROP(Slerp, TurnsAtAConstantSpeed, ()) {
 RC_GTEST_PROP(Slerp, StaysAUnitQuaternion, ()) {
   // An arc up to a right angle: what aligned signs leave.
   const Quaternion a = *UnitQuaternion();
-  const Quaternion b = AtArc(a, *Direction(), *NumberWithin(0, kPi / 2));
+  const Quaternion b = AtArc(a, *UnitVector(), *NumberWithin(0, kPi / 2));
   RC_ASSERT(std::abs(glm::length(Slerp(a, b, *NumberWithin(0, 1))) - 1) < kRounding);
 }
 
 RC_GTEST_PROP(Slerp, TakesTheLongWayRoundToANegativeQuaternion, ()) {
   const Quaternion a = *UnitQuaternion();
   const double arc_rad = *NumberWithin(0.1, kPi / 2 - 0.1);
-  const Quaternion b = AtArc(a, *Direction(), arc_rad);
+  const Quaternion b = AtArc(a, *UnitVector(), arc_rad);
   // Halfway the short way lies between both; the long way is half a turn from that.
   RC_ASSERT(std::abs(AngleBetween(Slerp(a, b, 0.5), Slerp(a, -b, 0.5)) - kPi) < 1e-12);
 }
@@ -161,7 +161,7 @@ RC_GTEST_PROP(SquadControl, OfOneAxisIsTheScalarFormula, ()) {
 
 RC_GTEST_PROP(SquadControl, OfAnEvenTurnIsTheKnot, ()) {
   const Quaternion q_i = *UnitQuaternion();
-  const Vector3 axis = *Direction();
+  const Vector3 axis = *UnitVector();
   const double arc_rad = *NumberWithin(0, kPi / 4);
   RC_ASSERT(Difference(SquadControl(AtArc(q_i, axis, -arc_rad), q_i, AtArc(q_i, axis, arc_rad)),
                        q_i) < kRounding);
@@ -247,7 +247,7 @@ ThreeArcs AnyThreeArcsFrom(const ThreePoints& from) {
   for (std::size_t k = 0; k < from.size(); ++k) {
     const double longest_rad = *rc::gen::element(0.0, 1e-9, 0.02, 0.1, 0.26, 0.5, 0.8, kPi / 2);
     arcs.to[k] =
-        SpherePoint(AtArc(from[k].quaternion(), *Direction(), *NumberWithin(0, longest_rad)));
+        SpherePoint(AtArc(from[k].quaternion(), *UnitVector(), *NumberWithin(0, longest_rad)));
   }
   return arcs;
 }
@@ -306,7 +306,7 @@ RC_GTEST_PROP(SquadControl, OfThreeIsThatOfEachAlone, ()) {
 RC_GTEST_PROP(Squad, OfThreeIsThatOfEachAlone, ()) {
   ThreeArcs knots = AnyThreeArcs();
   const auto near = [](const SpherePoint& q) {
-    return SpherePoint(AtArc(q.quaternion(), *Direction(), *NumberWithin(0, 0.1)));
+    return SpherePoint(AtArc(q.quaternion(), *UnitVector(), *NumberWithin(0, 0.1)));
   };
   ThreeArcs controls{{near(knots.from[0]), near(knots.from[1]), near(knots.from[2])},
                      {near(knots.to[0]), near(knots.to[1]), near(knots.to[2])}};
@@ -399,4 +399,4 @@ RC_GTEST_PROP(Squad, LeavesAKnotWithTheMeanOfTheTurnsOnEitherSide, ()) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::rotation_spline_test

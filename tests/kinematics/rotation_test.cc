@@ -27,6 +27,9 @@ void showValue(EulerSequence sequence, std::ostream& out) {
 
 void PrintTo(const EulerSequence& sequence, std::ostream* out) { showValue(sequence, *out); }
 
+}  // namespace girdle
+
+namespace girdle::rotation_test {
 namespace {
 
 // A few dozen roundings of numbers of size one.
@@ -243,7 +246,7 @@ INSTANTIATE_TEST_SUITE_P(Sizes, LongRotationVector,
                          testing::Values(7.0, 1e3, 1e16, 1e153, 1e160, 1e300));
 
 RC_GTEST_PROP(Exp, OfAWholeTurnMoreIsTheSameRotation, ()) {
-  const Vector3 axis = *Direction();
+  const Vector3 axis = *UnitVector();
   const double angle_rad = *NumberWithin(0, kPi);
   RC_ASSERT(AngleBetween(Exp(angle_rad * axis), Exp((angle_rad + 2 * kPi) * axis)) < kRounding);
 }
@@ -284,7 +287,7 @@ INSTANTIATE_TEST_SUITE_P(Sizes, SmallAngle, testing::Values(0.0, 1e-13, 1e-10, 1
 RC_GTEST_PROP(AngleBetween, IsTheAngleOfTheTurnThatLeadsFromOneToTheOther, ()) {
   const Quaternion a = *UnitQuaternion();
   const double angle_rad = *NumberWithin(0, kPi);
-  RC_ASSERT(std::abs(AngleBetween(a, a * Exp(angle_rad * *Direction())) - angle_rad) < kRounding);
+  RC_ASSERT(std::abs(AngleBetween(a, a * Exp(angle_rad * *UnitVector())) - angle_rad) < kRounding);
 }
 
 RC_GTEST_PROP(AngleBetween, DoesNotDependOnSignsAndOrder, ()) {
@@ -319,4 +322,4 @@ TEST(Degrees, AreConvertedBothWays) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::rotation_test

@@ -19,7 +19,7 @@
 #include "kinematics/random_rotations.h"
 #include "kinematics/shipped_data.h"
 
-namespace girdle {
+namespace girdle::shoulder_pose_test {
 namespace {
 
 // A few dozen roundings of numbers of size one.
@@ -284,4 +284,4 @@ TEST(ScapulaOfTheTable, DiffersFromThePublishedOneByTwoDegreesAsIsKnown) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::shoulder_pose_test

@@ -24,7 +24,7 @@
 #include "kinematics/shipped_data.h"
 #include "kinematics/shoulder_rhythm.h"
 
-namespace girdle {
+namespace girdle::shoulder_rhythm_range_test {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -680,4 +680,4 @@ TEST_P(BoundedBy, ARhythmOutsideItsRangeIsOnlyBroughtBack) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::shoulder_rhythm_range_test

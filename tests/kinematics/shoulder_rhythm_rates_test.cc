@@ -23,7 +23,7 @@
 #include "kinematics/shipped_data.h"
 #include "kinematics/shoulder_rhythm.h"
 
-namespace girdle {
+namespace girdle::shoulder_rhythm_rates_test {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -588,4 +588,4 @@ TEST(Borders, BringTheGirdleToRestWhereThePlaneHasNoMeaning) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::shoulder_rhythm_rates_test

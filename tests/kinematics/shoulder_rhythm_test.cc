@@ -25,8 +25,7 @@
 #include "kinematics/rotation_spline.h"
 #include "kinematics/shipped_data.h"
 
-namespace girdle {
-
+namespace girdle::shoulder_rhythm_test {
 namespace {
 
 // A few dozen roundings of numbers of size one.
@@ -671,4 +670,4 @@ TEST(OriginNames, AreOneWordEach) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::shoulder_rhythm_test

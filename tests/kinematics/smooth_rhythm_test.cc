@@ -23,7 +23,7 @@
 #include "kinematics/random_rotations.h"
 #include "kinematics/shipped_data.h"
 
-namespace girdle {
+namespace girdle::smooth_rhythm_test {
 namespace {
 
 // Sums of 66 weighted rotations.
@@ -226,7 +226,7 @@ RC_GTEST_PROP(SmoothRhythm, AboutAFixedAxisIsTheSplineOfTheAngle, ()) {
   std::array<Vector3, kJointCount> axes;
   std::array<Quaternion, kJointCount> origins;
   for (std::size_t joint = 0; joint < kJointCount; ++joint) {
-    axes[joint] = *Direction();
+    axes[joint] = *UnitVector();
     origins[joint] = *UnitQuaternion();
   }
   const auto pose_of = [&](double angle_rad) -> ShoulderPose {
@@ -368,4 +368,4 @@ TEST(SmoothRhythm, DoesNotGoOnFromATableFarFromItsRule) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::smooth_rhythm_test

@@ -14,7 +14,7 @@
 
 #include "kinematics/random_rotations.h"
 
-namespace girdle {
+namespace girdle::squad_rhythm_test {
 namespace {
 
 // A few hundred roundings of numbers of size one.
@@ -125,4 +125,4 @@ TEST(SquadRhythm, CanBeCopied) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::squad_rhythm_test

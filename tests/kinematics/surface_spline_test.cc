@@ -17,7 +17,7 @@
 #include "kinematics/cubic_spline.h"
 #include "kinematics/random_rotations.h"
 
-namespace girdle {
+namespace girdle::surface_spline_test {
 namespace {
 
 // Elimination and sums of dozens of numbers of size one, over knots whose gaps differ up to
@@ -353,4 +353,4 @@ RC_GTEST_PROP(SurfaceSpline, CarriesTheSlopeOfADual, ()) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::surface_spline_test

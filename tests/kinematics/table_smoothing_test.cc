@@ -20,7 +20,7 @@
 #include "kinematics/random_rotations.h"
 #include "kinematics/shipped_data.h"
 
-namespace girdle {
+namespace girdle::table_smoothing_test {
 namespace {
 
 using Series = std::vector<Quaternion>;
@@ -145,7 +145,7 @@ double SumToBeLeast(const std::vector<double>& x, const Series& q, const Series&
 RC_GTEST_PROP(Smoothed, LeavesAConstantRateAboutAFixedAxis, ()) {
   const std::vector<double> x = UnevenElevations();
   const Quaternion first = *UnitQuaternion();
-  const Vector3 axis = *Direction();
+  const Vector3 axis = *UnitVector();
   const double rate = *NumberWithin(0, 2);
   Series series;
   for (const double elevation_rad : x) series.push_back(first * Exp(rate * elevation_rad * axis));
@@ -157,7 +157,7 @@ RC_GTEST_PROP(Smoothed, LeavesAConstantRateAboutAFixedAxis, ()) {
 RC_GTEST_PROP(Smoothed, LeavesAConstantAccelerationAboutAFixedAxis, ()) {
   const std::vector<double> x = UnevenElevations();
   const Quaternion first = *UnitQuaternion();
-  const Vector3 axis = *Direction();
+  const Vector3 axis = *UnitVector();
   const double rate = *NumberWithin(-1, 1);
   const double acceleration = *NumberWithin(-1, 1);
   Series series;
@@ -190,7 +190,7 @@ RC_GTEST_PROP(Smoothed, MakesTheSumLeast, ()) {
   const std::size_t row = *rc::gen::inRange<std::size_t>(0, kRowCount);
   constexpr double kSmallTurn_rad = 1e-3;
   Series other = r;
-  other[row] = other[row] * Exp(kSmallTurn_rad * *Direction());
+  other[row] = other[row] * Exp(kSmallTurn_rad * *UnitVector());
   // Turned by d from the least, the sum of squares grows by |d|^2 at least, less what is of higher
   // order in d.
   RC_ASSERT(SumToBeLeast(x, q, other, penalty) >
@@ -200,7 +200,7 @@ RC_GTEST_PROP(Smoothed, MakesTheSumLeast, ()) {
 // About one axis the rows are numbers and the fit is linear: solved here without Newton, without a
 // band and without Cholesky, as the fixed point (1 + lambda D^T D) r = q.
 RC_GTEST_PROP(Smoothed, IsTheScalarSmootherAboutAFixedAxis, ()) {
-  const Vector3 axis = *Direction();
+  const Vector3 axis = *UnitVector();
   std::vector<double> turns_rad;
   Series q;
   for (std::size_t i = 0; i < kRowCount; ++i) {
@@ -381,7 +381,7 @@ TEST(ChangesBetween, FindsTheRowThatMovedAndTheRowThatBends) {
 
 RC_GTEST_PROP(ChangesBetween, SeesNoBendInAConstantRateOverUnevenElevations, ()) {
   const std::vector<double> x = UnevenElevations();
-  const Vector3 axis = *Direction();
+  const Vector3 axis = *UnitVector();
   Series series;
   for (const double elevation_rad : x) series.push_back(Exp(elevation_rad * axis));
   const RhythmTable table = TableOfSeries(x, series);
@@ -412,4 +412,4 @@ TEST(ChangesBetween, RefusesTablesOfDifferentElevations) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::table_smoothing_test

@@ -23,7 +23,7 @@
 #include "tables/body_size.h"
 #include "tables/built_in.h"
 
-namespace girdle {
+namespace girdle::bone_meshes_test {
 namespace {
 
 struct Bone {
@@ -404,4 +404,4 @@ TEST(ClavicleMesh, EndsWithItsLandmarks) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::bone_meshes_test

@@ -16,7 +16,7 @@
 #include "tables/body_size.h"
 #include "tables/built_in.h"
 
-namespace girdle {
+namespace girdle::scene_test {
 namespace {
 
 const ParsedXml& Scene() {
@@ -196,4 +196,4 @@ TEST(Scene, HasNoNumberThatIsNotFiniteOrIsMinusZero) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::scene_test

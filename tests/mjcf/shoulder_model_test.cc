@@ -36,6 +36,9 @@ void PrintTo(const Actuation& actuation, std::ostream* out) {
   *out << (actuation == Actuation::kPlugin ? "plugin" : "position");
 }
 
+}  // namespace girdle
+
+namespace girdle::shoulder_model_test {
 namespace {
 
 // A few dozen roundings of numbers of size one.
@@ -862,4 +865,4 @@ TEST(JointDynamics, HasTheArmatureThatTheDesignAllows) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::shoulder_model_test

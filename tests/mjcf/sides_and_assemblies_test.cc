@@ -29,7 +29,7 @@
 #include "tables/built_in.h"
 #include "tables/csv_text.h"
 
-namespace girdle {
+namespace girdle::sides_and_assemblies_test {
 namespace {
 
 // A few dozen roundings of numbers of size one.
@@ -706,4 +706,4 @@ TEST(SceneOfBoth, LooksAtTheMiddleFromFartherAway) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::sides_and_assemblies_test

@@ -14,7 +14,7 @@
 #include "mjcf/shoulder_model.h"
 #include "tables/built_in.h"
 
-namespace girdle {
+namespace girdle::skin_element_test {
 namespace {
 
 // Of one side: other vertices for every landmark, three for the acromion.
@@ -92,4 +92,4 @@ TEST(SkinElement, NeedsLandmarksOfEverySide) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::skin_element_test

@@ -13,7 +13,7 @@
 #include "kinematics/random_rotations.h"
 #include "mjcf/parsed_xml.h"
 
-namespace girdle {
+namespace girdle::xml_element_test {
 namespace {
 
 TEST(XmlFile, IsItsElementsInOrder) {
@@ -67,4 +67,4 @@ TEST(XmlElement, WritesCommentsWhereTheyAreAdded) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::xml_element_test

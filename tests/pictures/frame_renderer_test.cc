@@ -14,7 +14,7 @@
 #include "simulation/engine_fixture.h"
 #include "tables/input_error.h"
 
-namespace girdle {
+namespace girdle::frame_renderer_test {
 namespace {
 
 constexpr PictureSize kSmall = {160, 120};
@@ -352,4 +352,4 @@ TEST_F(FrameRendererTest, RefusesAViewOfNothing) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::frame_renderer_test

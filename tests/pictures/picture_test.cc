@@ -9,7 +9,7 @@
 #include <functional>
 #include <random>
 
-namespace girdle {
+namespace girdle::picture_test {
 namespace {
 
 using Paint = std::function<int(int x, int y, int colour)>;
@@ -79,4 +79,4 @@ TEST(Picture, WithNoiseInAFifthOfItIsFine) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::picture_test

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace girdle {
+namespace girdle::png_file_test {
 namespace {
 
 // Every pixel another colour; an odd width.
@@ -46,4 +46,4 @@ TEST(PngFile, SaysNothingOfTimeOrProgram) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::png_file_test

@@ -21,7 +21,7 @@
 
 #include "tables/input_error.h"
 
-namespace girdle {
+namespace girdle::video_pipe_test {
 namespace {
 
 constexpr PictureSize kSize = {64, 48};
@@ -210,4 +210,4 @@ TEST_F(VideoPipeTest, RefusesRatesThatAreTooSlowOrTooFast) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::video_pipe_test

@@ -17,7 +17,7 @@
 #include "kinematics/random_rotations.h"
 #include "tables/built_in.h"
 
-namespace girdle {
+namespace girdle::comparison_test {
 namespace {
 
 // Quaternions in double precision.
@@ -201,4 +201,4 @@ RC_GTEST_PROP(DifferencesAt, OfTheGlenohumeralJointIsThatOfTheScapulaInTheThorax
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::comparison_test

@@ -15,7 +15,7 @@
 
 #include "tables/built_in.h"
 
-namespace girdle {
+namespace girdle::continuity_test {
 namespace {
 
 const ShoulderRhythm& Rhythm() {
@@ -133,4 +133,4 @@ TEST(RhythmChecks, SayThatTheMeasuredTableTurnsTheHumerusTooFast) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::continuity_test

@@ -18,7 +18,7 @@
 #include "tables/ellipsoid.h"
 #include "tables/posed_bones.h"
 
-namespace girdle {
+namespace girdle::gliding_fit_test {
 namespace {
 
 constexpr int kNumbers = 6;
@@ -246,4 +246,4 @@ TEST(FitGlidingEllipsoid, RefusesATableWithoutMeasuredPositions) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::gliding_fit_test

@@ -20,7 +20,7 @@
 #include "tables/csv_text.h"
 #include "tables/input_error.h"
 
-namespace girdle {
+namespace girdle::published_rhythms_test {
 namespace {
 
 // Sines, cosines and quaternions in double precision.
@@ -217,4 +217,4 @@ INSTANTIATE_TEST_SUITE_P(
                 "published rhythms: no row for sc_protraction of relaxed"}));
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::published_rhythms_test

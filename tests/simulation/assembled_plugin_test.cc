@@ -23,7 +23,7 @@
 #include "simulation/plugin_fixture.h"
 #include "tables/input_error.h"
 
-namespace girdle {
+namespace girdle::assembled_plugin_test {
 namespace {
 
 double Draw(std::mt19937& random, double lower, double upper) {
@@ -691,4 +691,4 @@ TEST_F(EngineTest, ALoopOfATableOfTwoPlanesIsRefusedByThePlugin) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::assembled_plugin_test

@@ -19,7 +19,7 @@
 #include "simulation/shoulder_simulation.h"
 #include "tables/built_in.h"
 
-namespace girdle {
+namespace girdle::feed_forward_test {
 namespace {
 
 constexpr int kFirstRate = kCommandCount + kOffsetCount;
@@ -150,4 +150,4 @@ TEST_F(EngineTest, RatesMakeARaiseLagTenTimesLess) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::feed_forward_test

@@ -17,7 +17,7 @@
 #include "simulation/model_variants.h"
 #include "simulation/plugin_fixture.h"
 
-namespace girdle {
+namespace girdle::mirror_test {
 namespace {
 
 constexpr int kSteps = 600;
@@ -135,4 +135,4 @@ TEST_P(Moving, BothMoveAsEachAlone) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::mirror_test

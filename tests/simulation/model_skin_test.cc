@@ -20,7 +20,7 @@
 #include "tables/built_in.h"
 #include "tables/input_error.h"
 
-namespace girdle {
+namespace girdle::model_skin_test {
 namespace {
 
 // MuJoCo blends in single precision, a metre and a half above the floor.
@@ -246,4 +246,4 @@ TEST_F(ModelSkinTest, RefusesASkinWithoutTheThorax) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::model_skin_test

@@ -10,7 +10,7 @@
 
 #include "tables/input_error.h"
 
-namespace girdle {
+namespace girdle::motion_test {
 namespace {
 
 Motion FromText(const std::string& text) {
@@ -137,4 +137,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& parameter) { return parameter.param.name; });
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::motion_test

@@ -14,7 +14,7 @@
 #include "simulation/plugin_fixture.h"
 #include "tables/built_in.h"
 
-namespace girdle {
+namespace girdle::plugin_bad_controls_test {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -204,4 +204,4 @@ TEST_F(BadControlTest, InfiniteOnesWithoutRangesLeaveFiniteForcesToo) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::plugin_bad_controls_test

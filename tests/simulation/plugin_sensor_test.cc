@@ -16,7 +16,7 @@
 #include "simulation/plugin_fixture.h"
 #include "tables/built_in.h"
 
-namespace girdle {
+namespace girdle::plugin_sensor_test {
 namespace {
 
 constexpr const char* kSensor = "<plugin name=\"rhythm_r\" instance=\"rhythm_r\"/>";
@@ -220,4 +220,4 @@ INSTANTIATE_TEST_SUITE_P(
                     "<plugin name=\"cut\" instance=\"rhythm_r\" cutoff=\"0.3\"/>"));
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::plugin_sensor_test

@@ -18,7 +18,7 @@
 #include "tables/built_in.h"
 #include "tables/input_error.h"
 
-namespace girdle {
+namespace girdle::plugin_test {
 namespace {
 
 TEST_F(FullPluginTest, ForceIsStiffnessTimesTargetPlusTrimMinusPosition) {
@@ -535,4 +535,4 @@ TEST_F(EngineTest, PluginForAnotherVersionSaysSoAndHowToMendIt) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::plugin_test

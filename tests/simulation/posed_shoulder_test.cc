@@ -15,7 +15,7 @@
 #include "simulation/plugin_fixture.h"
 #include "simulation/shoulder_simulation.h"
 
-namespace girdle {
+namespace girdle::posed_shoulder_test {
 namespace {
 
 // Hinges, quaternions and a chain of bodies, each rounded a few times.
@@ -155,4 +155,4 @@ TEST_F(BindPoseTest, IsThatOfOurSkinWhateverElseAModelWears) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::posed_shoulder_test

@@ -16,7 +16,7 @@
 #include "simulation/residual_report.h"
 #include "tables/built_in.h"
 
-namespace girdle {
+namespace girdle::residuals_test {
 namespace {
 
 TEST(Residual, AValueThatIsNoNumberDoesNotPass) {
@@ -223,4 +223,4 @@ TEST_F(MeasureResidualsTest, FindsTheClosureThatIsKnownOfTheTable) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::residuals_test

@@ -20,7 +20,7 @@
 #include "tables/csv_text.h"
 #include "tables/input_error.h"
 
-namespace girdle {
+namespace girdle::scapulothoracic_survey_test {
 namespace {
 
 // What is left by equality constraints solved to 1e-9 rad, in degrees.
@@ -579,4 +579,4 @@ TEST(NearestNames, AreThoseWithTheFewestLettersChanged) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::scapulothoracic_survey_test

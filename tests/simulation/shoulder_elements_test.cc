@@ -20,7 +20,7 @@
 #include "simulation/trace.h"
 #include "tables/input_error.h"
 
-namespace girdle {
+namespace girdle::shoulder_elements_test {
 namespace {
 
 // --- Tables --------------------------------------------------------------------------------------
@@ -273,4 +273,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& tested) { return tested.param.name; });
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::shoulder_elements_test

@@ -12,7 +12,7 @@
 #include "tables/built_in.h"
 #include "tables/input_error.h"
 
-namespace girdle {
+namespace girdle::shoulder_simulation_test {
 namespace {
 
 class ShoulderSimulationTest : public EngineTest {
@@ -105,4 +105,4 @@ TEST_F(ShoulderSimulationTest, HasTheJointRangesOfItsModel) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::shoulder_simulation_test

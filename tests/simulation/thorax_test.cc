@@ -20,7 +20,7 @@
 #include "simulation/shoulder_simulation.h"
 #include "tables/built_in.h"
 
-namespace girdle {
+namespace girdle::thorax_test {
 namespace {
 
 class ThoraxTest : public EngineTest {
@@ -241,4 +241,4 @@ TEST_F(ThoraxTest, AModelWithoutALigamentIsRefused) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::thorax_test

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <random>
 
-namespace girdle {
+namespace girdle::trace_test {
 namespace {
 
 TEST(ReplayableCommand, ComesBackExactlyFromDegrees) {
@@ -58,4 +58,4 @@ TEST(ReplayableCommand, HasAllOfACommand) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::trace_test

@@ -13,7 +13,7 @@
 #include "simulation/plugin_fixture.h"
 #include "tables/built_in.h"
 
-namespace girdle {
+namespace girdle::whole_range_test {
 namespace {
 
 class WholeRangeTest : public PluginTest {
@@ -68,4 +68,4 @@ TEST_F(WholeRangeTest, TheArmStandsWhereItIsToldToEverywhere) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::whole_range_test

@@ -14,7 +14,7 @@
 
 #include "skin/surface_nets.h"
 
-namespace girdle {
+namespace girdle::bone_heat_test {
 namespace {
 
 constexpr double kRadius_m = 0.04;
@@ -244,4 +244,4 @@ TEST(BoneHeat, PassesATriangleWithoutAreaBetweenOthers) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::bone_heat_test

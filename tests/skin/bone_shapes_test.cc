@@ -18,7 +18,7 @@
 #include "tables/body_size.h"
 #include "tables/built_in.h"
 
-namespace girdle {
+namespace girdle::bone_shapes_test {
 namespace {
 
 constexpr double kRounding_m = 1e-12;
@@ -174,4 +174,4 @@ RC_GTEST_FIXTURE_PROP(BoneShapesOfABody, GrowWithThePerson, ()) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::bone_shapes_test

@@ -18,7 +18,7 @@
 #include "kinematics/random_rotations.h"
 #include "tables/built_in.h"
 
-namespace girdle {
+namespace girdle::bound_skin_test {
 namespace {
 
 constexpr double kRounding_m = 1e-12;
@@ -187,4 +187,4 @@ TEST(BlendedVertices, NeedAFrameOfEachBone) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::bound_skin_test

@@ -10,8 +10,9 @@
 #include <glm/geometric.hpp>
 
 #include "skin/solids.h"
+#include "skin/surface_topology.h"
 
-namespace girdle {
+namespace girdle::cut_surface_test {
 namespace {
 
 // Not a multiple of the cells, whose corners would lie on the surface.
@@ -63,9 +64,9 @@ TEST_P(CutAtHeight, LeavesNoSlivers) {
   const WeightedSurface ball = WeightedBall();
   const TriangleMesh cap = Cut(ball, {{0, GetParam(), 0}, {0, 1, 0}}, NoneOf(ball)).mesh;
   for (const Triangle& triangle : cap.triangles) {
-    const Vector3& a = CornerOf(cap, triangle, 0);
+    const Vector3& a = Corner_m(cap, triangle, 0);
     const double twice_area_m2 =
-        glm::length(glm::cross(CornerOf(cap, triangle, 1) - a, CornerOf(cap, triangle, 2) - a));
+        glm::length(glm::cross(Corner_m(cap, triangle, 1) - a, Corner_m(cap, triangle, 2) - a));
     // The narrow ring of a lid is some hundredths as wide as the lid.
     EXPECT_GT(twice_area_m2, 1e-3 * kCell_m * kCell_m);
   }
@@ -100,4 +101,4 @@ TEST(Cut, BeyondTheSurfaceLeavesItAsItIs) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::cut_surface_test

@@ -16,6 +16,7 @@
 #include "skin/bone_shapes.h"
 #include "skin/solids.h"
 #include "skin/surface_depth.h"
+#include "skin/surface_topology.h"
 #include "skin/weight_blend.h"
 #include "tables/built_in.h"
 #include "tables/built_in_files.h"
@@ -24,7 +25,7 @@
 #include "tables/person_landmarks.h"
 #include "tables/posed_bones.h"
 
-namespace girdle {
+namespace girdle::fitted_body_test {
 namespace {
 
 // Landmarks are rounded to a micrometre each.
@@ -220,4 +221,4 @@ TEST(FittedMan, PointsHisForearmsToWhereElbowsBend) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::fitted_body_test

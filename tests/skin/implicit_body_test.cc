@@ -21,7 +21,7 @@
 #include "tables/body_size.h"
 #include "tables/built_in.h"
 
-namespace girdle {
+namespace girdle::implicit_body_test {
 namespace {
 
 const std::vector<Side> kBoth = {Side::kRight, Side::kLeft};
@@ -267,4 +267,4 @@ TEST_P(ImplicitBodyOfSomebody, IsClosedAndOnePieceAndCoversEveryLandmark) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::implicit_body_test

@@ -13,7 +13,7 @@
 #include "tables/csv_text.h"
 #include "tables/input_error.h"
 
-namespace girdle {
+namespace girdle::makehuman_files_test {
 namespace {
 
 constexpr const char* kMesh =
@@ -127,4 +127,4 @@ TEST(ReadMakeHumanWeights, RefusesTextThatIsCutOff) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::makehuman_files_test

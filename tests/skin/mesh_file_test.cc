@@ -18,7 +18,7 @@
 #include "tables/csv_text.h"
 #include "tables/input_error.h"
 
-namespace girdle {
+namespace girdle::mesh_file_test {
 namespace {
 
 // A file that is gone when the test is over.
@@ -171,4 +171,4 @@ INSTANTIATE_TEST_SUITE_P(
     });
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::mesh_file_test

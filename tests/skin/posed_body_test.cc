@@ -18,7 +18,7 @@
 #include "tables/built_in.h"
 #include "tables/posed_bones.h"
 
-namespace girdle {
+namespace girdle::posed_body_test {
 namespace {
 
 constexpr double kRounding_m = 1e-12;
@@ -131,4 +131,4 @@ TEST(AcromionTip, GrowsWithTheScapula) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::posed_body_test

@@ -19,7 +19,7 @@
 #include "tables/body_size.h"
 #include "tables/built_in.h"
 
-namespace girdle {
+namespace girdle::skin_landmarks_test {
 namespace {
 
 const std::vector<Side> kBoth = {Side::kRight, Side::kLeft};
@@ -169,4 +169,4 @@ TEST(SkinLandmarks, OfASurfaceWithTooFewVerticesAreRefused) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::skin_landmarks_test

@@ -19,7 +19,7 @@
 #include "tables/built_in.h"
 #include "tables/posed_bones.h"
 
-namespace girdle {
+namespace girdle::skin_measures_test {
 namespace {
 
 // Metres; sums of some roundings of a body's size.
@@ -385,4 +385,4 @@ TEST(SkinMeasures, OfTheMirrorImageAreTheSame) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::skin_measures_test

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace girdle {
+namespace girdle::skn_file_test {
 namespace {
 
 // Two triangles on two bones; every number is another one and has no error as a float.
@@ -108,4 +108,4 @@ TEST(SknBytes, HaveNoRoomForANameOfForty) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::skn_file_test

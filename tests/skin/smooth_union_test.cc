@@ -16,7 +16,7 @@
 #include "kinematics/random_rotations.h"
 #include "tables/ellipsoid.h"
 
-namespace girdle {
+namespace girdle::smooth_union_test {
 namespace {
 
 // Places and radii are below a metre.
@@ -34,7 +34,7 @@ double DistanceFromBall_m(const Vector3& point_m, const Vector3& center_m, doubl
 
 RC_GTEST_PROP(RoundConeDistance, IsThatOfACapsuleForEqualRadii, ()) {
   const Vector3 from_m = *VectorWithin(-0.3, 0.3);
-  const Vector3 to_m = from_m + *NumberWithin(0.01, 0.4) * *Direction();
+  const Vector3 to_m = from_m + *NumberWithin(0.01, 0.4) * *UnitVector();
   const double radius_m = *NumberWithin(0.001, 0.2);
   const Vector3 point_m = *VectorWithin(-0.5, 0.5);
   const double expected_m = DistanceFromSegment_m(point_m, from_m, to_m) - radius_m;
@@ -47,7 +47,7 @@ RC_GTEST_PROP(RoundConeDistance, IsThatOfTheLargerBallIfTheOtherIsInside, ()) {
   const double radius_m = *NumberWithin(0.05, 0.2);
   // Touching from inside is the last that is still inside.
   const double gap_m = *NumberWithin(0, radius_m);
-  const Vector3 inner_m = center_m + gap_m * *Direction();
+  const Vector3 inner_m = center_m + gap_m * *UnitVector();
   const double inner_radius_m = *NumberWithin(0, radius_m - gap_m);
   const Vector3 point_m = *VectorWithin(-0.5, 0.5);
   const double expected_m = DistanceFromBall_m(point_m, center_m, radius_m);
@@ -71,7 +71,7 @@ TEST(RoundConeDistance, IsThatOfABallWithoutLength) {
 RC_GTEST_PROP(RoundConeDistance, IsTheLeastOfManyBallsAlongIt, ()) {
   const double length_m = *NumberWithin(0.05, 0.4);
   const Vector3 from_m = *VectorWithin(-0.2, 0.2);
-  const Vector3 to_m = from_m + length_m * *Direction();
+  const Vector3 to_m = from_m + length_m * *UnitVector();
   const double from_radius_m = *NumberWithin(0.005, 0.1);
   const double to_radius_m = *NumberWithin(0.005, 0.1);
   const Vector3 point_m = *VectorWithin(-0.5, 0.5);
@@ -111,7 +111,7 @@ RC_GTEST_PROP(TurnedEllipsoidDistance, IsNearlyExactNearTheSurface, ()) {
   const Vector3 radii_m{0.098, 0.21, 0.155};
   const Vector3 center_m = *VectorWithin(-0.2, 0.2);
   const Quaternion q_AB = *UnitQuaternion();
-  const Vector3 direction = *Direction();
+  const Vector3 direction = *UnitVector();
   const double step_m = *NumberWithin(-0.01, 0.01);
   const Vector3 normal = glm::normalize(direction / radii_m);
   const Vector3 place_m = radii_m * direction + step_m * normal;
@@ -225,8 +225,8 @@ RC_GTEST_PROP(SmoothUnion, IsCutByTheFormulaOfItsHeader, ()) {
   SmoothUnion solids = Torso();
   const SmoothUnion whole = solids;
   solids.rounding_m = *NumberWithin(0.002, 0.02);
-  solids.cuts = {{*VectorWithin(-0.2, 0.2), *Direction()},
-                 {*VectorWithin(-0.2, 0.2), *Direction()}};
+  solids.cuts = {{*VectorWithin(-0.2, 0.2), *UnitVector()},
+                 {*VectorWithin(-0.2, 0.2), *UnitVector()}};
   // Where exponentials of distances over the rounding stay numbers.
   const Vector3 point_m = *VectorWithin(-0.4, 0.4);
   double sum = std::exp(whole(point_m) / solids.rounding_m);
@@ -288,4 +288,4 @@ TEST(SmoothUnion, GrowsByAboutOneAMeterPerMeterNearItsSurface) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::smooth_union_test

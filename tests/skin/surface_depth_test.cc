@@ -13,7 +13,7 @@
 
 #include "skin/surface_nets.h"
 
-namespace girdle {
+namespace girdle::surface_depth_test {
 namespace {
 
 // Sums of some thousand roundings.
@@ -90,4 +90,4 @@ TEST(SurfaceDepth, OfAVertexThatIsNotThereIsRefused) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::surface_depth_test

@@ -21,7 +21,7 @@
 #include "kinematics/rotation.h"
 #include "skin/surface_topology.h"
 
-namespace girdle {
+namespace girdle::surface_nets_test {
 namespace {
 
 using Value = std::function<double(const Vector3&)>;
@@ -220,4 +220,4 @@ INSTANTIATE_TEST_SUITE_P(
                     BadGrid{"cells too small", kAroundBall, kCell_m / 20, "too many"}));
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::surface_nets_test

@@ -48,6 +48,10 @@ inline std::vector<Edge> UnpairedEdges(const TriangleMesh& mesh) {
   return unpaired;
 }
 
+inline bool IsClosed(const TriangleMesh& mesh) {
+  return !mesh.triangles.empty() && UnpairedEdges(mesh).empty();
+}
+
 /// Vertices - edges + triangles of a closed surface: 2 for every ball, 0 for every torus in it.
 /// Vertices of no triangle do not count.
 inline int EulerCharacteristic(const TriangleMesh& mesh) {

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace girdle {
+namespace girdle::weight_blend_test {
 namespace {
 
 // Two triangles in a row: 0 and 3 are not neighbours.
@@ -52,4 +52,4 @@ TEST(SharesOf, ASideThatIsNotThereGoToTheThorax) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::weight_blend_test

@@ -19,7 +19,7 @@
 #include "tables/csv_text.h"
 #include "tables/input_error.h"
 
-namespace girdle {
+namespace girdle::anatomy_test {
 namespace {
 
 using Reader = void (*)(std::istream&, const std::string&, Anatomy&);
@@ -406,4 +406,4 @@ INSTANTIATE_TEST_SUITE_P(
                 "t.csv:2: scapula_y_m is 'O', expected a finite number such as 22.5"}));
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::anatomy_test

@@ -18,7 +18,7 @@
 #include "tables/built_in.h"
 #include "tables/csv_text.h"
 
-namespace girdle {
+namespace girdle::body_size_test {
 namespace {
 
 // A few roundings, as a share of the number.
@@ -249,4 +249,4 @@ INSTANTIATE_TEST_SUITE_P(
                 "stature nan: not within 0.5 to 2.8 m. Give one such as 1.71 m"}));
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::body_size_test

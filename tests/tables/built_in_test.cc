@@ -19,7 +19,7 @@
 #include "tables/built_in_files.h"
 #include "tables/rhythm_table_csv.h"
 
-namespace girdle {
+namespace girdle::built_in_test {
 namespace {
 
 // A name in data/ and the text that is built in under it.
@@ -195,4 +195,4 @@ TEST(BuiltInAnatomy, HasRangesThatHoldTheMeasuredRhythmWithRoomToSpare) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::built_in_test

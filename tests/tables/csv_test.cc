@@ -20,7 +20,7 @@
 #include "tables/csv_text.h"
 #include "tables/input_error.h"
 
-namespace girdle {
+namespace girdle::csv_test {
 namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
@@ -450,4 +450,4 @@ TEST(CsvReader, SaysThatAStreamFailedAfterTheRowsBeforeIt) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::csv_test

@@ -10,7 +10,7 @@
 #include <glm/geometric.hpp>
 #include <random>
 
-namespace girdle {
+namespace girdle::ellipsoid_test {
 namespace {
 
 // Nearest distance to the points of a grid over the surface, and half of the grid's widest gap.
@@ -99,4 +99,4 @@ TEST(NearestOnEllipsoid, LiesBelowThePointAlongItsNormal) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::ellipsoid_test

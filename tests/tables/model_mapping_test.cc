@@ -12,7 +12,7 @@
 #include "tables/csv_text.h"
 #include "tables/input_error.h"
 
-namespace girdle {
+namespace girdle::model_mapping_test {
 namespace {
 
 // Numbers and sums of few of them.
@@ -169,4 +169,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::model_mapping_test

@@ -23,7 +23,7 @@
 
 #include "kinematics/random_rotations.h"
 
-namespace girdle {
+namespace girdle::number_text_test {
 namespace {
 
 // Any finite double, all bit patterns alike.
@@ -297,4 +297,4 @@ TEST_F(NumbersInAnotherLocale, AreWrittenAsEver) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::number_text_test

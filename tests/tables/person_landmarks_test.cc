@@ -27,7 +27,7 @@
 #include "tables/input_error.h"
 #include "tables/number_text.h"
 
-namespace girdle {
+namespace girdle::person_landmarks_test {
 namespace {
 
 // Positions some metres from the origin, turned there and back.
@@ -480,4 +480,4 @@ TEST(ReadDigitizedPerson, RefusesLandmarksThatDoNotSayHowThePersonStood) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::person_landmarks_test

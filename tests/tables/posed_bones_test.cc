@@ -14,7 +14,7 @@
 
 #include "tables/built_in.h"
 
-namespace girdle {
+namespace girdle::posed_bones_test {
 namespace {
 
 // Of sums and products of numbers of the size of a shoulder.
@@ -157,4 +157,4 @@ INSTANTIATE_TEST_SUITE_P(Both, LigamentOverTheTable,
                          });
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::posed_bones_test

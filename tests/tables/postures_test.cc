@@ -14,7 +14,7 @@
 #include "tables/csv_text.h"
 #include "tables/input_error.h"
 
-namespace girdle {
+namespace girdle::postures_test {
 namespace {
 
 // Quaternions in double precision.
@@ -108,4 +108,4 @@ TEST(HangingIn, KeepsTheGirdleAndHangsTheArmAsTheRhythmDoes) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::postures_test

@@ -19,7 +19,7 @@
 #include "tables/csv_text.h"
 #include "tables/rhythm_table_csv.h"
 
-namespace girdle {
+namespace girdle::rhythm_config_test {
 namespace {
 
 // All five keys, with values that no other key would take.
@@ -258,4 +258,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& parameter) { return "Config" + std::to_string(parameter.index); });
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::rhythm_config_test

@@ -26,7 +26,7 @@
 #include "tables/input_error.h"
 #include "tables/number_text.h"
 
-namespace girdle {
+namespace girdle::rhythm_table_csv_test {
 namespace {
 
 // Rows of the built-in table: 3 planes of 22 elevations.
@@ -415,4 +415,4 @@ TEST(RhythmTableToLine, LeavesOutAPublishedScapulaThatIsNotThere) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::rhythm_table_csv_test

@@ -13,7 +13,7 @@
 
 #include "simulation/plugin_fixture.h"
 
-namespace girdle {
+namespace girdle::shoulders_in_threads_test {
 namespace {
 
 constexpr std::size_t kThreads = 8;
@@ -74,4 +74,4 @@ TEST_F(ShouldersInThreads, TwoModelsInEightThreadsGiveTheBitsOfOneThread) {
 }
 
 }  // namespace
-}  // namespace girdle
+}  // namespace girdle::shoulders_in_threads_test
