@@ -9,6 +9,7 @@ import math
 import os
 import re
 import shlex
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -34,8 +35,16 @@ def run(*command: str | Path, folder: Path) -> str:
     return finished.stdout
 
 
+@pytest.fixture(scope="module")
+def emitted_model(tmp_path_factory: pytest.TempPathFactory, program: Path) -> Path:
+    """What scripts/run leaves in build/model."""
+    folder = tmp_path_factory.mktemp("emitted")
+    run(program, "generate", "--skin", "implicit", "--out", folder / "model", folder=folder)
+    return folder / "model"
+
+
 @pytest.fixture
-def checkout(tmp_path: Path, program: Path, plugin_library: Path) -> Path:
+def checkout(tmp_path: Path, plugin_library: Path, emitted_model: Path) -> Path:
     """A folder in which the README's paths lead to what is tested."""
     release = tmp_path / "build" / "release"
     release.mkdir(parents=True)
@@ -44,8 +53,7 @@ def checkout(tmp_path: Path, program: Path, plugin_library: Path) -> Path:
     for folder in ("data", "model"):
         (tmp_path / folder).symlink_to(ROOT / folder)
     (tmp_path / "build" / "body").symlink_to(ROOT / "build" / "body")
-    model = tmp_path / "build" / "model"
-    run(program, "generate", "--skin", "implicit", "--out", model, folder=tmp_path)
+    shutil.copytree(emitted_model, tmp_path / "build" / "model")
     return tmp_path
 
 
