@@ -3,7 +3,6 @@
 
 #include "commands/destep_command.h"
 
-#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <fstream>

@@ -3,7 +3,6 @@
 
 #include "commands/thorax_command.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>

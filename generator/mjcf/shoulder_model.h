@@ -69,11 +69,11 @@ struct ShoulderModelOptions {
 /// controls' zero leads: the arm hanging, or the lowest position of a clamped rhythm. A ligament
 /// pulls from the anatomy's slack on, or from the longest that the rhythm makes it anywhere on a
 /// grid of 1 deg or in relaxed standing, rounded up to 0.1 mm, if that is longer: what is asked of
-/// the joints never stretches it, and what pushes them aside does. Radians,
-/// meters, kilograms; world z up, x to the front. Throws std::invalid_argument if the rhythm leaves
-/// the anatomy's joint ranges, looked for on a grid of 1 deg, or if the options name a table that
-/// is not the rhythm's, ask for rates that interpolation or assembly do not have, for a loop of a
-/// table with fewer than three planes, or for commands of a model without plugin.
+/// the joints never stretches it, what pushes them aside does. Radians, meters, kilograms; world z
+/// up, x to the front. Throws std::invalid_argument if the rhythm leaves the anatomy's joint
+/// ranges, looked for on a grid of 1 deg, or if the options name a table that is not the rhythm's,
+/// ask for rates that interpolation or assembly do not have, for a loop of a table with fewer than
+/// three planes, or for commands of a model without plugin.
 [[nodiscard]] std::string ShoulderModelXml(const Anatomy& anatomy, const ShoulderRhythm& rhythm,
                                            const ShoulderModelOptions& options = {});
 

@@ -3,7 +3,6 @@
 
 #include "rhythms/comparison_report.h"
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -32,8 +31,8 @@ constexpr std::array<std::string_view, kDifferenceCount> kDifferenceLabels = {
     "scapula upward rotation",
     "scapula tilt"};
 
-// Two columns of words, then numbers.
-const std::vector<Alignment> kWordsFirst = {Alignment::kLeft, Alignment::kLeft, Alignment::kRight};
+constexpr Alignment kWords = Alignment::kLeft;
+constexpr Alignment kNumbers = Alignment::kRight;
 
 // Places of a grid, in degrees as they were typed.
 std::string PlaceText(double angle_rad) {
@@ -83,7 +82,7 @@ std::string DifferenceTable(const Comparison& comparison) {
       rows.push_back(std::move(row));
     }
   }
-  return ColumnsText(rows, kWordsFirst);
+  return ColumnsText(rows, {kWords, kWords, kNumbers});
 }
 
 std::string RatioTable(const Comparison& comparison) {
@@ -103,7 +102,7 @@ std::string RatioTable(const Comparison& comparison) {
     }
     rows.push_back(std::move(row));
   }
-  return ColumnsText(rows, {Alignment::kRight});
+  return ColumnsText(rows, {kNumbers});
 }
 
 nlohmann::ordered_json SummaryAsJson(const std::optional<DifferenceSummary>& summary) {
@@ -202,7 +201,7 @@ std::string ComparisonAsText(const Comparison& comparison) {
   for (const RhythmComparison& rhythm : comparison.rhythms) {
     says.push_back({std::string(rhythm.rhythm.name), std::string(rhythm.rhythm.says)});
   }
-  text += "\n\n" + ColumnsText(says, kWordsFirst) + "\n" + DifferenceTable(comparison);
+  text += "\n\n" + ColumnsText(says, {kWords, kWords, kNumbers}) + "\n" + DifferenceTable(comparison);
   text +=
       "\nDegrees, at elevation/plane. SC, AC, GH: angle of the rotation between the two; with the "
       "same humerus,\nGH's is also that of the scapula in the thorax. The others: rhythm minus "

@@ -4,7 +4,6 @@
 #include "tables/anatomy.h"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <optional>
 #include <utility>
