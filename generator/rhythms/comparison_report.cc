@@ -201,7 +201,8 @@ std::string ComparisonAsText(const Comparison& comparison) {
   for (const RhythmComparison& rhythm : comparison.rhythms) {
     says.push_back({std::string(rhythm.rhythm.name), std::string(rhythm.rhythm.says)});
   }
-  text += "\n\n" + ColumnsText(says, {kWords, kWords, kNumbers}) + "\n" + DifferenceTable(comparison);
+  text +=
+      "\n\n" + ColumnsText(says, {kWords, kWords, kNumbers}) + "\n" + DifferenceTable(comparison);
   text +=
       "\nDegrees, at elevation/plane. SC, AC, GH: angle of the rotation between the two; with the "
       "same humerus,\nGH's is also that of the scapula in the thorax. The others: rhythm minus "
