@@ -15,6 +15,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <glm/gtc/quaternion.hpp>
 #include <map>
 #include <memory>
@@ -25,7 +26,12 @@
 #include <vector>
 
 #include "mjcf/shoulder_model.h"
+#include "pictures/frame_renderer.h"
 #include "simulation/engine.h"
+#include "skin/bone_heat.h"
+#include "skin/bone_shapes.h"
+#include "skin/bound_skin.h"
+#include "skin/implicit_body.h"
 #include "tables/built_in.h"
 #include "tables/number_text.h"
 
@@ -362,6 +368,68 @@ void PrintRows(const std::string& girdle) {
               Median(possible));
 }
 
+template <typename Work>
+double Seconds(const Work& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+// One thing after another, for some rounds; times and ratios to the first.
+struct Timed {
+  const char* name;
+  std::function<void()> work;
+};
+void PrintInTurn(const char* title, const char* first, const std::vector<Timed>& things) {
+  constexpr int kThingRounds = 9;
+  constexpr double kMillisecondsPerSecond = 1e3;
+  std::vector<std::vector<double>> times_s(things.size());
+  std::vector<std::vector<double>> ratios(things.size());
+  for (int round = 0; round < kThingRounds; ++round) {
+    for (std::size_t i = 0; i < things.size(); ++i) {
+      times_s[i].push_back(Seconds(things[i].work));
+      ratios[i].push_back(times_s[i].back() / times_s[0].back());
+    }
+  }
+  std::printf("\n%-50s %9s %22s\n", title, "ms", first);
+  for (std::size_t i = 0; i < things.size(); ++i) {
+    std::printf("%-50s %9.1f %20.2f x\n", things[i].name,
+                kMillisecondsPerSecond * Median(times_s[i]), Median(ratios[i]));
+  }
+}
+
+void PrintSkins() {
+  const std::vector<Side> sides = {Side::kRight, Side::kLeft};
+  const std::vector<SkinBone> bones = SkinBonesOf(sides);
+  const Anatomy anatomy = BuiltInAnatomy();
+  PosedBody body;
+  PrintInTurn("body of solids, both sides", "the surface alone",
+              {{"surface about the bones", [&] { body = ImplicitBody(anatomy, sides); }},
+               {"weights of the bones in it", [&] {
+                  const SkinWeights weights = BoneHeat(body.surface, BoneShapesOf(body, bones));
+                  benchmark::DoNotOptimize(Bind(body, bones, weights));
+                }}});
+}
+
+// In software or not, as this machine draws.
+void PrintPictures() {
+  const std::string file = GIRDLE_SOURCE_DIR "/model/shoulder_skin/scene_both_position.xml";
+  const ModelPointer model = LoadModel(file);
+  const DataPointer data = MakeData(*model);
+  mj_forward(model.get(), data.get());
+  const auto drawing = [&](PictureSize size, Show show) {
+    const auto renderer = std::make_shared<FrameRenderer>(
+        *model, file, View{.camera = "front", .size = size, .show = show});
+    return [renderer, &data] { benchmark::DoNotOptimize(renderer->Draw(*data)); };
+  };
+  const PictureSize full;
+  const PictureSize tiny{64, 48};
+  PrintInTurn("one frame, both sides", "of few pixels",
+              {{"skin, 64 x 48 pixels", drawing(tiny, Show::kSkin)},
+               {"skin, 640 x 480 pixels", drawing(full, Show::kSkin)},
+               {"bones, 640 x 480 pixels", drawing(full, Show::kBones)}});
+}
+
 int Run(int argc, char** argv) {
   std::vector<std::string> words = {argv[0], "--benchmark_min_time=0.01"};
   words.insert(words.end(), argv + 1, argv + argc);
@@ -388,6 +456,8 @@ int Run(int argc, char** argv) {
   PrintSteps(times);
   PrintAssemblies(times);
   PrintRows(girdle);
+  PrintSkins();
+  PrintPictures();
   return 0;
 }
 
