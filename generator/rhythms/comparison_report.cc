@@ -31,8 +31,10 @@ constexpr std::array<std::string_view, kDifferenceCount> kDifferenceLabels = {
     "scapula upward rotation",
     "scapula tilt"};
 
-constexpr Alignment kWords = Alignment::kLeft;
-constexpr Alignment kNumbers = Alignment::kRight;
+// Two columns of words, then numbers.
+std::vector<Alignment> WordsFirst() {
+  return {Alignment::kLeft, Alignment::kLeft, Alignment::kRight};
+}
 
 // Places of a grid, in degrees as they were typed.
 std::string PlaceText(double angle_rad) {
@@ -82,7 +84,7 @@ std::string DifferenceTable(const Comparison& comparison) {
       rows.push_back(std::move(row));
     }
   }
-  return ColumnsText(rows, {kWords, kWords, kNumbers});
+  return ColumnsText(rows, WordsFirst());
 }
 
 std::string RatioTable(const Comparison& comparison) {
@@ -102,7 +104,7 @@ std::string RatioTable(const Comparison& comparison) {
     }
     rows.push_back(std::move(row));
   }
-  return ColumnsText(rows, {kNumbers});
+  return ColumnsText(rows, {Alignment::kRight});
 }
 
 nlohmann::ordered_json SummaryAsJson(const std::optional<DifferenceSummary>& summary) {
@@ -201,8 +203,7 @@ std::string ComparisonAsText(const Comparison& comparison) {
   for (const RhythmComparison& rhythm : comparison.rhythms) {
     says.push_back({std::string(rhythm.rhythm.name), std::string(rhythm.rhythm.says)});
   }
-  text +=
-      "\n\n" + ColumnsText(says, {kWords, kWords, kNumbers}) + "\n" + DifferenceTable(comparison);
+  text += "\n\n" + ColumnsText(says, WordsFirst()) + "\n" + DifferenceTable(comparison);
   text +=
       "\nDegrees, at elevation/plane. SC, AC, GH: angle of the rotation between the two; with the "
       "same humerus,\nGH's is also that of the scapula in the thorax. The others: rhythm minus "
