@@ -78,7 +78,8 @@ void ExpectSuffix(const std::string& option, const std::string& file, std::strin
   });
   if (ending != suffix) {
     throw InputError(option + " " + file + ": the name does not end in " + std::string(suffix) +
-                     ", which is what is written. Name it so");
+                     ", which is what is written. Name it " +
+                     std::filesystem::path(file).replace_extension(suffix).string());
   }
 }
 

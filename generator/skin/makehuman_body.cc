@@ -65,7 +65,7 @@ std::string PackageBytes(const std::string& folder, const PackageFile& file) {
   std::error_code ignored;
   if (!std::filesystem::exists(name, ignored)) {
     throw InputError(name + ": is not there. Run scripts/fetch_body, which fetches the body of " +
-                     std::string(kPackage));
+                     std::string(kPackage) + " into build/body, and name that folder");
   }
   std::ifstream in = OpenTextFile(name);
   std::string bytes(file.size + 1, '\0');

@@ -106,7 +106,8 @@ def make_rotation(girdle: Girdle, quick: bool) -> Figure:
     return Figure(
         ROTATION_NAME,
         "Upward rotation of the scapula over all that an arm reaches",
-        "Inside the black border positions were measured, or lie between such; outside, the rhythm "
+        "Inside the black border are the table's positions (of elevations below 30 the clavicle's "
+        "and the AC joint's are derived) and what lies between; outside, the rhythm "
         "goes on by a rule, and how far from the border it is stands in the column distance_deg of "
         "girdle solve. Where nothing is drawn, the arm does not get.",
         "A map of upward rotation, some 5 to 60 degrees, which grows with elevation in all planes. "

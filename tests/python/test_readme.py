@@ -156,7 +156,7 @@ def test_the_report_of_the_readme_has_the_lines_of_the_program(
 ) -> None:
     """Values that rounding makes, of skin in single precision, may differ from machine to machine;
     everything else is the same."""
-    tiny = re.compile(r" +[0-9.]+e-(?:0[89]|1[0-9]) | +0\.000[0-9]+ | +0 ")
+    tiny = re.compile(r" {2,}(?:[0-9.]+e-(?:0[89]|1[0-9])|0\.000[0-9]+|0) ")
     printed = run(program, "verify", "build/model/scene.xml", folder=checkout).splitlines()
     kept = {tiny.sub(" ~ ", line).rsplit("  ", 1)[0].split("~")[0].rstrip() for line in printed}
     shown = re.search(r"```\n(residual .*?)\n\nmodel:", README, re.DOTALL)
