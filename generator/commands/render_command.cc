@@ -32,9 +32,8 @@ struct RenderArguments {
 };
 
 double Direction_rad(const std::string& option, const std::string& text) {
-  constexpr double kMost_deg = 360;
   const double angle_deg = NumberArgument(option, text);
-  if (std::abs(angle_deg) > kMost_deg) {
+  if (std::abs(angle_deg) > kFullCircle_deg) {
     throw InputError(option + " " + text + ": expected degrees within -360 to 360");
   }
   return RadiansFromDegrees(angle_deg);

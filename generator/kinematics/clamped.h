@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
+/// A number kept within two others, whatever it is.
 #pragma once
 
 #include <algorithm>

@@ -94,8 +94,17 @@ Descriptor CopyAboveTargets(int file) {
   return Descriptor(copy);
 }
 
+// A process that was started to ignore the ends of its children is never told how they ended.
+void HearHowChildrenEnd() noexcept {
+  struct sigaction action {};
+  if (sigaction(SIGCHLD, nullptr, &action) == 0 && action.sa_handler == SIG_IGN) {
+    std::signal(SIGCHLD, SIG_DFL);
+  }
+}
+
 pid_t Start(const std::filesystem::path& program, std::vector<std::string> words,
             const ChildFiles& files) {
+  HearHowChildrenEnd();
   // Copies above all targets, so that none is overwritten before it is in place. The child's own
   // are closed as it starts.
   const std::array<Descriptor, 4> sources = {
@@ -128,10 +137,13 @@ pid_t Start(const std::filesystem::path& program, std::vector<std::string> words
 }
 
 int WaitFor(pid_t child) noexcept {
+  constexpr int kUnknown = 127 << 8;  // of a child that somebody else has waited for
   int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  return status;
+  pid_t ended = -1;
+  do {
+    ended = waitpid(child, &status, 0);
+  } while (ended < 0 && errno == EINTR);
+  return ended == child ? status : kUnknown;
 }
 
 // How it ended, or nothing if it has not after some time.

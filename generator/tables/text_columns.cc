@@ -20,14 +20,14 @@ std::string ColumnsText(const std::vector<std::vector<std::string>>& rows,
                         const std::vector<Alignment>& alignments) {
   std::vector<std::size_t> widths(rows.empty() ? 0 : rows.front().size());
   for (const std::vector<std::string>& row : rows) {
-    for (std::size_t i = 0; i < widths.size(); ++i) {
-      widths[i] = std::max(widths[i], row.at(i).size());
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      widths.at(i) = std::max(widths.at(i), row[i].size());
     }
   }
   std::string text;
   for (const std::vector<std::string>& row : rows) {
     std::string line;
-    for (std::size_t i = 0; i < widths.size(); ++i) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
       const Alignment alignment = alignments[std::min(i, alignments.size() - 1)];
       line +=
           (i == 0 ? "" : "  ") + (alignment == Alignment::kLeft ? AlignedLeft(row[i], widths[i])

@@ -12,6 +12,7 @@
 
 #include <cerrno>
 #include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -162,21 +163,42 @@ TEST_F(VideoPipeTest, EndsAnFfmpegThatReadsNoFramesAnyMore) {
   EXPECT_TRUE(HasNoChild());
 }
 
-// Also one that would suit as a place for copies of descriptors.
+TEST_F(VideoPipeTest, ReportsAFailureToAProcessThatIgnoresItsChildren) {
+  MakeFfmpeg("cat > /dev/null; echo half > /dev/fd/3; exit 1");
+  const auto before = std::signal(SIGCHLD, SIG_IGN);
+  const std::string refusal = Refusal([this] {
+    VideoPipe pipe(output_, kSize, 30);
+    pipe.Write(Frame('a'));
+    pipe.Finish();
+  });
+  std::signal(SIGCHLD, before);
+  EXPECT_NE(refusal.find("it ended with status 1"), std::string::npos) << refusal;
+}
+
+// Also those that the child has its own for: standard input, and that of the video.
 class OutputDescriptor : public VideoPipeTest, public testing::WithParamInterface<int> {};
 
 TEST_P(OutputDescriptor, MayBeAnyNumber) {
   MakeFfmpeg("cat > /dev/fd/3");
-  const int output = fcntl(output_, F_DUPFD_CLOEXEC, GetParam());
-  ASSERT_EQ(output, GetParam());
-  VideoPipe pipe(output, kSize, 30);
-  pipe.Write(Frame('a'));
-  pipe.Finish();
-  close(output);
+  const int number = GetParam();
+  constexpr int kFarAway = 200;
+  const int kept = fcntl(number, F_DUPFD_CLOEXEC, kFarAway);
+  ASSERT_EQ(dup2(output_, number), number);
+  {
+    VideoPipe pipe(number, kSize, 30);
+    pipe.Write(Frame('a'));
+    pipe.Finish();
+  }
+  if (kept >= 0) {
+    dup2(kept, number);
+    close(kept);
+  } else {
+    close(number);
+  }
   EXPECT_EQ(Written(), std::string(std::size_t{3} * 64 * 48, 'a'));
 }
 
-INSTANTIATE_TEST_SUITE_P(Numbers, OutputDescriptor, testing::Values(100, 101, 102, 103));
+INSTANTIATE_TEST_SUITE_P(Numbers, OutputDescriptor, testing::Values(0, 3, 100));
 
 TEST_F(VideoPipeTest, ReportsAnFfmpegThatFailsAtTheEnd) {
   MakeFfmpeg("cat > /dev/null; exit 7");

@@ -110,7 +110,9 @@ def test_a_body_of_any_size_that_is_taken_has_a_skin(
 ) -> None:
     option, length = size.split()
     girdle_fine("generate", "--out", "model", *SKIN, f"--{option}", length)
-    assert (tmp_path / "model" / "shoulder_right.skn").stat().st_size > 0
+    model = load(tmp_path / "model" / "scene.xml")
+    assert model.nskinvert > 1000
+    assert np.isfinite(model.skin_vert).all()
 
 
 def test_the_same_words_give_the_same_bytes(
@@ -182,8 +184,8 @@ def test_landmarks_name_vertices_of_the_skin(
         assert np.array_equal(data, np.round(data)), name
         assert data.min() >= 0, name
         assert data.max() < model.nskinvert, name
-    vertices = np.concatenate(list(numerics.values()))
-    assert len(set(vertices)) > len(numerics) / 2, "each its own but for neighbours"
+    firsts = [data[0] for data in numerics.values()]
+    assert len(set(firsts)) == len(firsts), "no landmark is another one"
 
 
 @pytest.mark.parametrize("side", SIDES)
