@@ -10,6 +10,7 @@
 
 #include "commands/word_argument.h"
 #include "tables/input_error.h"
+#include "tables/small_letters.h"
 
 namespace girdle {
 namespace {
@@ -72,11 +73,7 @@ View ChosenView(const ViewArguments& arguments) {
 }
 
 void ExpectSuffix(const std::string& option, const std::string& file, std::string_view suffix) {
-  std::string ending = std::filesystem::path(file).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
-  if (ending != suffix) {
+  if (InSmallLetters(std::filesystem::path(file).extension().string()) != suffix) {
     throw InputError(option + " " + file + ": the name does not end in " + std::string(suffix) +
                      ", which is what is written. Name it " +
                      std::filesystem::path(file).replace_extension(suffix).string());

@@ -3,24 +3,11 @@
 
 #include "commands/shoulder_points.h"
 
-#include <algorithm>
-
 #include "kinematics/lengths.h"
 #include "tables/posed_bones.h"
+#include "tables/small_letters.h"
 
 namespace girdle {
-namespace {
-
-// ASCII alone: landmarks are abbreviations.
-std::string InSmallLetters(std::string_view name) {
-  std::string small(name);
-  std::transform(small.begin(), small.end(), small.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
-  return small;
-}
-
-}  // namespace
 
 std::vector<ShoulderPoint> ShoulderPoints(const Anatomy& anatomy, const ShoulderPose& pose) {
   std::vector<ShoulderPoint> points = {

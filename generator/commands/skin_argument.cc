@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <filesystem>
 #include <string_view>
 #include <system_error>
@@ -22,6 +21,7 @@
 #include "skin/weight_blend.h"
 #include "tables/built_in.h"
 #include "tables/input_error.h"
+#include "tables/small_letters.h"
 
 namespace girdle {
 namespace {
@@ -40,9 +40,7 @@ constexpr int kSmoothingSteps = 3;
 enum class Source { kImplicit, kFolder, kMesh };
 
 bool HasMeshSuffix(const std::string& path) {
-  std::string suffix = std::filesystem::path(path).extension().string();
-  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string suffix = InSmallLetters(std::filesystem::path(path).extension().string());
   return std::find(kMeshSuffixes.begin(), kMeshSuffixes.end(), suffix) != kMeshSuffixes.end();
 }
 

@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "engines/engine_trial.h"
+#include "tables/text_columns.h"
 
 namespace girdle {
 namespace {
@@ -121,7 +122,8 @@ std::string VersionText(const std::optional<EngineVersion>& version) {
 
 void AppendRow(std::ostream& out, std::string_view name, const std::string& value) {
   if (!value.empty()) {
-    out << "  " << name << std::string(12 - name.size(), ' ') << value << "\n";
+    constexpr std::size_t kNameWidth = 12;
+    out << "  " << AlignedLeft(std::string(name), kNameWidth) << value << "\n";
   }
 }
 

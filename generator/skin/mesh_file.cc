@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <assimp/Importer.hpp>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <glm/common.hpp>
@@ -21,6 +20,7 @@
 #include "skin/gltf_nodes.h"
 #include "tables/input_error.h"
 #include "tables/number_text.h"
+#include "tables/small_letters.h"
 #include "tables/text_file.h"
 
 namespace girdle {
@@ -156,9 +156,7 @@ std::optional<std::string> FlawOfFaces(const TriangleMesh& mesh) {
 
 // In capitals or not, as Assimp takes it.
 bool HasGltfSuffix(const std::string& path) {
-  std::string suffix = std::filesystem::path(path).extension().string();
-  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string suffix = InSmallLetters(std::filesystem::path(path).extension().string());
   return suffix == ".glb" || suffix == ".gltf";
 }
 

@@ -324,6 +324,13 @@ void WritePoses(const std::filesystem::path& path, int rows) {
   }
 }
 
+template <typename Work>
+double Seconds(const Work& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
 // Seconds that so many runs of `girdle solve` at the same time take, from file to file.
 double SolveSeconds(const std::string& girdle, const std::filesystem::path& folder, int threads,
                     int runs = 1) {
@@ -334,12 +341,12 @@ double SolveSeconds(const std::string& girdle, const std::filesystem::path& fold
                std::to_string(threads) + " & ";
   }
   command += "wait";
-  const auto start = std::chrono::steady_clock::now();
-  // NOLINTNEXTLINE(cert-env33-c): a program of this build, paths of this process
-  if (std::system(command.c_str()) != 0) {
-    throw std::runtime_error("failed: " + command);
-  }
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return Seconds([&command] {
+    // NOLINTNEXTLINE(cert-env33-c): a program of this build, paths of this process
+    if (std::system(command.c_str()) != 0) {
+      throw std::runtime_error("failed: " + command);
+    }
+  });
 }
 
 void PrintRows(const std::string& girdle) {
@@ -366,13 +373,6 @@ void PrintRows(const std::string& girdle) {
   std::printf("%-50s %9.0f %20.2f x\n", "two threads", kRows / Median(two), Median(ratios));
   std::printf("%-50s %9s %20.2f x\n", "two programs at once, one thread each", "",
               Median(possible));
-}
-
-template <typename Work>
-double Seconds(const Work& work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 // One thing after another, for some rounds; times and ratios to the first.
