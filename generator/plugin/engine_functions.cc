@@ -6,9 +6,10 @@
 #include <dlfcn.h>
 #include <link.h>
 
-#include <array>
 #include <cstddef>
 #include <cstring>
+
+#include "plugin/engine_layout.h"
 
 namespace girdle {
 namespace {
@@ -26,19 +27,20 @@ EngineFunctions FunctionsOf(void* library) noexcept {
   Take(library, "mj_version", engine.version);
   Take(library, "mj_versionString", engine.version_string);
   Take(library, "mju_warning", engine.warning);
+  Take(library, "mj_isSparse", engine.is_sparse);
   Take(library, "mj_getPluginConfig", engine.get_plugin_config);
   Take(library, "mjp_defaultPlugin", engine.default_plugin);
+  Take(library, "mjp_getPlugin", engine.get_plugin);
   Take(library, "mjp_registerPlugin", engine.register_plugin);
   return engine;
 }
 
-struct Search {
-  int wanted;
-  EngineFunctions found;
-};
+bool IsKnown(const EngineFunctions& engine) noexcept {
+  return engine.complete() && FindEngineLayout(engine.version()) != nullptr;
+}
 
-// Looks at one loaded library; returns 1, which ends the walk, at an engine of the wanted version.
-int VisitLibrary(dl_phdr_info* info, std::size_t /*size*/, void* search_pointer) noexcept {
+// Looks at one loaded library; returns 1, which ends the walk, at an engine whose layout is known.
+int VisitLibrary(dl_phdr_info* info, std::size_t /*size*/, void* found) noexcept {
   const char* slash = std::strrchr(info->dlpi_name, '/');
   const char* file_name = slash == nullptr ? info->dlpi_name : slash + 1;
   if (std::strncmp(file_name, kEngineFileName, std::strlen(kEngineFileName)) != 0) {
@@ -53,28 +55,19 @@ int VisitLibrary(dl_phdr_info* info, std::size_t /*size*/, void* search_pointer)
   if (!engine.complete()) {
     return 0;
   }
-  auto* search = static_cast<Search*>(search_pointer);
-  search->found = engine;
-  return engine.version() == search->wanted ? 1 : 0;
+  *static_cast<EngineFunctions*>(found) = engine;
+  return IsKnown(engine) ? 1 : 0;
 }
 
 }  // namespace
 
-EngineFunctions FindEngine(int wanted) noexcept {
+EngineFunctions FindEngine() noexcept {
   // A program with MuJoCo built in has its functions in the global scope.
-  const EngineFunctions built_in = FunctionsOf(RTLD_DEFAULT);
-  if (built_in.complete() && built_in.version() == wanted) {
-    return built_in;
+  EngineFunctions found = FunctionsOf(RTLD_DEFAULT);
+  if (!IsKnown(found)) {
+    dl_iterate_phdr(VisitLibrary, &found);
   }
-  Search search{wanted, built_in};
-  dl_iterate_phdr(VisitLibrary, &search);
-  return search.found;
-}
-
-const char* PluginPath() noexcept {
-  static const char kAnyAddress = 0;
-  Dl_info info;
-  return dladdr(&kAnyAddress, &info) != 0 ? info.dli_fname : "this library";
+  return found;
 }
 
 }  // namespace girdle

@@ -17,21 +17,21 @@ struct EngineFunctions {
   decltype(&mj_version) version = nullptr;
   decltype(&mj_versionString) version_string = nullptr;
   decltype(&mju_warning) warning = nullptr;
+  decltype(&mj_isSparse) is_sparse = nullptr;
   decltype(&mj_getPluginConfig) get_plugin_config = nullptr;
   decltype(&mjp_defaultPlugin) default_plugin = nullptr;
+  decltype(&mjp_getPlugin) get_plugin = nullptr;
   decltype(&mjp_registerPlugin) register_plugin = nullptr;
 
   [[nodiscard]] bool complete() const noexcept {
     return version != nullptr && version_string != nullptr && warning != nullptr &&
-           get_plugin_config != nullptr && default_plugin != nullptr && register_plugin != nullptr;
+           is_sparse != nullptr && get_plugin_config != nullptr && default_plugin != nullptr &&
+           get_plugin != nullptr && register_plugin != nullptr;
   }
 };
 
-/// Returns the engine of this process: of several loaded ones that of version `wanted` (as
-/// mj_version), else any; incomplete if there is none.
-[[nodiscard]] EngineFunctions FindEngine(int wanted) noexcept;
-
-/// Returns the path of the file that this plugin was loaded from, for messages.
-[[nodiscard]] const char* PluginPath() noexcept;
+/// Returns the engine of this process: of several loaded ones one whose layout is known, else any;
+/// incomplete if there is none.
+[[nodiscard]] EngineFunctions FindEngine() noexcept;
 
 }  // namespace girdle

@@ -4,28 +4,37 @@
 /// Registers `girdle.rhythm` when the library is loaded.
 #include <mujoco/mujoco.h>
 
+#include <cstdint>
 #include <exception>
 #include <memory>
 #include <string>
 
 #include "kinematics/model_names.h"
+#include "plugin/controller_registry.h"
 #include "plugin/engine_functions.h"
+#include "plugin/engine_views.h"
+#include "plugin/library_files.h"
 #include "plugin/rhythm_controller.h"
 #include "tables/rhythm_config.h"
-
-// The version that the plugin accepts. Tests build one that is wrong.
-#ifndef GIRDLE_ENGINE_VERSION
-#define GIRDLE_ENGINE_VERSION mjVERSION_HEADER
-#endif
 
 namespace girdle {
 namespace {
 
-// Set once while the library is loaded, before MuJoCo can call anything below.
-EngineFunctions engine;  // NOLINT(readability-identifier-naming)
+// The one version whose sparse factorisation is wrong.
+constexpr int kWrongWhereSparse = 4000000;
 
-RhythmController* ControllerOf(const mjData* data, int instance) {
-  return reinterpret_cast<RhythmController*>(data->plugin_data[instance]);
+// Set once while the library is loaded, before MuJoCo can call anything below.
+EngineFunctions engine;                // NOLINT(readability-identifier-naming)
+const EngineLayout* layout = nullptr;  // NOLINT(readability-identifier-naming)
+
+// Never deleted: a program may delete its mjData as the very last.
+ControllerRegistry& Registry() noexcept {
+  static ControllerRegistry& registry = *new ControllerRegistry;
+  return registry;
+}
+
+std::uintptr_t& TicketIn(mjData& data, int instance) noexcept {
+  return ViewOf(data, *layout).plugin_data[instance];
 }
 
 std::string ConfigText(const mjModel* model, int instance, const char* key) {
@@ -33,18 +42,35 @@ std::string ConfigText(const mjModel* model, int instance, const char* key) {
   return text == nullptr ? "" : text;
 }
 
+std::unique_ptr<RhythmController> MakeController(const mjModel* model, int instance) {
+  const RhythmConfig config = ParseRhythmConfig(
+      {ConfigText(model, instance, kInterpolationKey), ConfigText(model, instance, kClosureKey),
+       ConfigText(model, instance, kRangeKey), ConfigText(model, instance, kTableKey),
+       ConfigText(model, instance, kStiffnessKey), ConfigText(model, instance, kSideKey),
+       ConfigText(model, instance, kTranslationStiffnessKey)});
+  return std::make_unique<RhythmController>(ViewOf(*model, *layout), instance, config);
+}
+
 // Returns 0, or -1 after a warning that names instance and fix. Nothing escapes.
 int Init(const mjModel* model, mjData* data, int instance) noexcept {
-  data->plugin_data[instance] = 0;
-  const char* name = model->names + model->name_pluginadr[instance];
+  if (!LayoutFits(*model, *data, *layout)) {
+    engine.warning(
+        "%s: this MuJoCo says that it is version %s, but its mjModel is laid out in another way. "
+        "Run a MuJoCo as it was published, for example of pip install mujoco",
+        kPluginName, engine.version_string());
+    return -1;
+  }
+  const ModelView view = ViewOf(*model, *layout);
+  const char* name = view.names + view.name_pluginadr[instance];
+  TicketIn(*data, instance) = 0;
   try {
-    const RhythmConfig config = ParseRhythmConfig(
-        {ConfigText(model, instance, kInterpolationKey), ConfigText(model, instance, kClosureKey),
-         ConfigText(model, instance, kRangeKey), ConfigText(model, instance, kTableKey),
-         ConfigText(model, instance, kStiffnessKey), ConfigText(model, instance, kSideKey),
-         ConfigText(model, instance, kTranslationStiffnessKey)});
-    auto controller = std::make_unique<RhythmController>(*model, instance, config);
-    data->plugin_data[instance] = reinterpret_cast<uintptr_t>(controller.release());
+    TicketIn(*data, instance) = Registry().Add(MakeController(model, instance), data, instance);
+    if (engine.version() == kWrongWhereSparse && engine.is_sparse(model) != 0) {
+      engine.warning(
+          "%s instance \"%s\": MuJoCo %s solves sparse models wrongly, and this one is sparse. Add "
+          "<option jacobian=\"dense\"/> to the model, or run another version",
+          kPluginName, name, engine.version_string());
+    }
     return 0;
   } catch (const std::exception& error) {
     engine.warning("%s instance \"%s\": %s", kPluginName, name, error.what());
@@ -55,37 +81,71 @@ int Init(const mjModel* model, mjData* data, int instance) noexcept {
 }
 
 void Destroy(mjData* data, int instance) noexcept {
-  delete ControllerOf(data, instance);
-  data->plugin_data[instance] = 0;
+  Registry().Remove(data, instance);
+  TicketIn(*data, instance) = 0;
+}
+
+// The controller of an mjData that got its ticket from another mjData, or from another process:
+// its own, or a new one. Null after a warning.
+RhythmController* RecoveredController(const mjModel* model, mjData* data, int instance) noexcept {
+  std::uintptr_t& ticket = TicketIn(*data, instance);
+  ticket = Registry().TicketOf(data, instance);
+  if (ticket == 0 && Init(model, data, instance) != 0) {
+    return nullptr;
+  }
+  return Registry().Find(ticket, data, instance);
 }
 
 void Compute(const mjModel* model, mjData* data, int instance, int capability) noexcept {
-  RhythmController& controller = *ControllerOf(data, instance);
-  if ((capability & mjPLUGIN_ACTUATOR) != 0) {
-    controller.Actuate(*model, *data);
+  const DataView data_view = ViewOf(*data, *layout);
+  RhythmController* controller = Registry().Find(data_view.plugin_data[instance], data, instance);
+  if (controller == nullptr) {
+    controller = RecoveredController(model, data, instance);
   }
-  if ((capability & mjPLUGIN_SENSOR) != 0) {
-    controller.Sense(*model, *data);
+  if (controller == nullptr) {
+    return;
+  }
+  const ModelView model_view = ViewOf(*model, *layout);
+  if ((capability & layout->plugin_actuator) != 0) {
+    controller->Actuate(model_view, data_view);
+  }
+  if ((capability & layout->plugin_sensor) != 0) {
+    controller->Sense(model_view, data_view);
   }
 }
 
-std::string VersionText(int version) {
-  return std::to_string(version / 1000000) + "." + std::to_string(version / 1000 % 1000) + "." +
-         std::to_string(version % 1000);
+// Returns whether the process has the plugin already. Where that is another library than this one,
+// a warning says so.
+bool IsRegistered() {
+  const mjpPlugin* const registered = engine.get_plugin(kPluginName, nullptr);
+  if (registered == nullptr) {
+    return false;
+  }
+  const std::string first = FileOf(reinterpret_cast<const void*>(registered->init));
+  const std::string second = OwnFile();
+  if (!HaveTheSameBytes(first, second)) {
+    engine.warning(
+        "%s of %s is not used, because this process has the plugin of %s already. Load one of them",
+        kPluginName, DescribedPlugin(second).c_str(), DescribedPlugin(first).c_str());
+  }
+  return true;
 }
 
 void Register() {
-  engine = FindEngine(GIRDLE_ENGINE_VERSION);
+  engine = FindEngine();
   if (!engine.complete()) {
     return;  // no engine in this process: nobody to register with, nobody to tell
   }
-  if (engine.version() != GIRDLE_ENGINE_VERSION) {
-    const std::string built_for = VersionText(GIRDLE_ENGINE_VERSION);
+  layout = FindEngineLayout(engine.version());
+  if (layout == nullptr) {
     engine.warning(
-        "%s is built for MuJoCo %s, this process runs %s: the plugin %s is not available. Run "
-        "MuJoCo "
-        "%s, or build Girdle with MUJOCO_ROOT set to your MuJoCo",
-        PluginPath(), built_for.c_str(), engine.version_string(), kPluginName, built_for.c_str());
+        "%s (Girdle %s) does not know MuJoCo %s, so the plugin %s is not available. Run a MuJoCo "
+        "from %s, or build Girdle anew with that version in scripts/engine_layouts",
+        OwnFile().c_str(), GIRDLE_VERSION, engine.version_string(), kPluginName,
+        KnownEngineVersions().c_str());
+    return;
+  }
+  if (IsRegistered()) {
     return;
   }
   static const char* const kAttributes[] = {
@@ -96,10 +156,10 @@ void Register() {
   plugin.name = kPluginName;
   plugin.nattribute = sizeof(kAttributes) / sizeof(kAttributes[0]);
   plugin.attributes = kAttributes;
-  plugin.capabilityflags = mjPLUGIN_ACTUATOR | mjPLUGIN_SENSOR;
+  plugin.capabilityflags = layout->plugin_actuator | layout->plugin_sensor;
   // Of the stages the one that asks the engine for nothing more. A change of a control alone, which
   // leaves out this stage, reaches the sensors by way of the actuators.
-  plugin.needstage = mjSTAGE_POS;
+  plugin.needstage = layout->stage_pos;
   plugin.nstate = +[](const mjModel*, int) { return 0; };
   plugin.nsensordata = +[](const mjModel*, int, int) { return int{sensor_layout::kSize}; };
   plugin.init = +[](const mjModel* m, mjData* d, int instance) { return Init(m, d, instance); };
@@ -122,7 +182,7 @@ mjPLUGIN_LIB_INIT(girdle_rhythm) {
 }  // namespace
 }  // namespace girdle
 
-// Named by kEngineVersionSymbol.
-extern "C" __attribute__((visibility("default"))) int girdle_rhythm_engine_version() {
-  return GIRDLE_ENGINE_VERSION;
+// Named by kPluginVersionSymbol.
+extern "C" __attribute__((visibility("default"))) const char* girdle_rhythm_version() {
+  return GIRDLE_VERSION;
 }

@@ -16,7 +16,7 @@
 namespace girdle {
 namespace {
 
-std::string ActuatorName(const mjModel& model, int actuator) {
+std::string ActuatorName(const ModelView& model, int actuator) {
   const std::string name = model.names + model.name_actuatoradr[actuator];
   return name.empty() ? "actuator " + std::to_string(actuator) : "actuator \"" + name + "\"";
 }
@@ -42,7 +42,7 @@ std::optional<std::size_t> RoleOf(std::string_view actuator_name,
 }
 
 template <std::size_t N>
-std::size_t TakeRole(const mjModel& model, int actuator,
+std::size_t TakeRole(const ModelView& model, int actuator,
                      const std::array<std::string_view, N>& roles, std::array<bool, N>& taken,
                      const char* kind) {
   const auto role = RoleOf(model.names + model.name_actuatoradr[actuator], roles);
@@ -72,12 +72,12 @@ void CheckTaken(const std::array<std::string_view, N>& roles, const std::array<b
   }
 }
 
-bool IsCommand(const mjModel& model, int actuator) {
-  const mjtNum* gear = model.actuator_gear + 6 * model.actuator_outadr[actuator];
+bool IsCommand(const ModelView& model, int actuator) {
+  const mjtNum* gear = model.actuator_gear + 6 * model.OutputOf(actuator);
   return std::all_of(gear, gear + 6, [](mjtNum value) { return value == 0; });
 }
 
-Quaternion BodyRotation(const mjData& data, int body) noexcept {
+Quaternion BodyRotation(const DataView& data, int body) noexcept {
   const mjtNum* q = data.xquat + 4 * body;
   return {q[0], q[1], q[2], q[3]};
 }
@@ -90,29 +90,30 @@ bool IsNumber(const ArmCommand& command) noexcept {
 
 }  // namespace
 
-double RhythmController::Control::Read(const mjModel& model, const mjData& data) const noexcept {
+double RhythmController::Control::Read(const ModelView& model,
+                                       const DataView& data) const noexcept {
   const double value = Raw(data);
   if (!exists() || model.actuator_ctrllimited[address] == 0 ||
-      (model.opt.disableflags & mjDSBL_CLAMPCTRL) != 0) {
+      model.Disables(model.engine->disable_clampctrl)) {
     return value;
   }
   const mjtNum* range = model.actuator_ctrlrange + 2 * address;
   return std::clamp(value, range[0], range[1]);
 }
 
-double RhythmController::Control::ReadFinite(const mjModel& model,
-                                             const mjData& data) const noexcept {
+double RhythmController::Control::ReadFinite(const ModelView& model,
+                                             const DataView& data) const noexcept {
   const double value = Read(model, data);
   return std::isfinite(value) ? value : 0;
 }
 
 // The bits of the option stand for the first groups; other groups cannot be disabled.
-bool RhythmController::Servo::IsDisabled(const mjModel& model) const noexcept {
+bool RhythmController::Servo::IsDisabled(const ModelView& model) const noexcept {
   constexpr int kBits = 31;
-  return group >= 0 && group < kBits && ((model.opt.disableactuator >> group) & 1) != 0;
+  return group >= 0 && group < kBits && ((model.disableactuator >> group) & 1) != 0;
 }
 
-RhythmController::RhythmController(const mjModel& model, int instance, const RhythmConfig& config)
+RhythmController::RhythmController(const ModelView& model, int instance, const RhythmConfig& config)
     : side_(config.side) {
   std::array<bool, kAllCommandCount> has_command{};
   std::array<bool, kServoRoleCount> has_servo{};
@@ -221,7 +222,7 @@ void RhythmController::CheckStiffness(const RhythmConfig& config) const {
 
 // Where the clavicle begins in the thorax, and where on it the scapula hangs: from the connect of
 // the two bones. A left shoulder's are taken to the right.
-void RhythmController::FindClavicle(const mjModel& model) {
+void RhythmController::FindClavicle(const ModelView& model) {
   const int clavicle = model.jnt_bodyid[model.dof_jntid[servos_[0].dof_address]];
   const int scapula = model.jnt_bodyid[model.dof_jntid[servos_[kCoordinateCount].dof_address]];
   const auto canonical = [this](const mjtNum* p) {
@@ -230,7 +231,8 @@ void RhythmController::FindClavicle(const mjModel& model) {
   };
   p_TC_m_ = canonical(model.body_pos + 3 * clavicle);
   for (int equality = 0; equality < model.neq; ++equality) {
-    if (model.eq_type[equality] != mjEQ_CONNECT || model.eq_objtype[equality] != mjOBJ_SITE) {
+    if (model.eq_type[equality] != model.engine->equality_connect ||
+        model.eq_objtype[equality] != model.engine->object_site) {
       continue;
     }
     const std::array<int, 2> sites = {model.eq_obj1id[equality], model.eq_obj2id[equality]};
@@ -258,22 +260,23 @@ void RhythmController::SolveAim(const ArmCommand& command) noexcept {
   }
 }
 
-void RhythmController::AddCommand(const mjModel& model, int actuator, std::size_t role) {
-  commands_[role] = {model.actuator_ctrladr[actuator]};
+void RhythmController::AddCommand(const ModelView& model, int actuator, std::size_t role) {
+  commands_[role] = {model.ControlOf(actuator)};
 }
 
-void RhythmController::AddServo(const mjModel& model, int actuator, std::size_t role,
+void RhythmController::AddServo(const ModelView& model, int actuator, std::size_t role,
                                 const RhythmConfig& config) {
   const int joint = model.actuator_trnid[2 * actuator];
   const bool is_translation = role >= kTranslationRole;
   const char* const kind = is_translation ? "slide" : "hinge";
-  if (model.actuator_trntype[actuator] != mjTRN_JOINT ||
-      model.jnt_type[joint] != (is_translation ? mjJNT_SLIDE : mjJNT_HINGE)) {
+  if (model.actuator_trntype[actuator] != model.engine->transmission_joint ||
+      model.jnt_type[joint] !=
+          (is_translation ? model.engine->joint_slide : model.engine->joint_hinge)) {
     throw std::runtime_error(ActuatorName(model, actuator) + " does not act on a " + kind +
                              ". Give it joint=\"" + SidedName(kServoRoles[role], side_) + "\", a " +
                              kind);
   }
-  const int output = model.actuator_outadr[actuator];
+  const int output = model.OutputOf(actuator);
   if (model.actuator_gear[6 * output] != 1) {
     throw std::runtime_error(ActuatorName(model, actuator) + " has gear " +
                              std::to_string(model.actuator_gear[6 * output]) +
@@ -288,7 +291,7 @@ void RhythmController::AddServo(const mjModel& model, int actuator, std::size_t 
       model.jnt_qposadr[joint],
       model.jnt_dofadr[joint],
       output,
-      {model.actuator_ctrladr[actuator]},
+      {model.ControlOf(actuator)},
       is_translation ? config.translation_stiffness_N_per_m : config.stiffness_N_m_per_rad[slot],
       model.actuator_group[actuator]};
   // The first hinge of SC turns the clavicle in the thorax, the last of GH the humerus.
@@ -299,15 +302,16 @@ void RhythmController::AddServo(const mjModel& model, int actuator, std::size_t 
   }
 }
 
-void RhythmController::FindSensors(const mjModel& model, int instance) {
+void RhythmController::FindSensors(const ModelView& model, int instance) {
   for (int sensor = 0; sensor < model.nsensor; ++sensor) {
-    if (model.sensor_type[sensor] == mjSENS_PLUGIN && model.sensor_plugin[sensor] == instance) {
+    if (model.sensor_type[sensor] == model.engine->sensor_plugin_type &&
+        model.sensor_plugin[sensor] == instance) {
       sensors_.push_back({model.sensor_adr[sensor], model.sensor_cutoff[sensor]});
     }
   }
 }
 
-JointRanges RhythmController::RangesOf(const mjModel& model) const noexcept {
+JointRanges RhythmController::RangesOf(const ModelView& model) const noexcept {
   JointRanges ranges = ShoulderRhythm::Unbounded();
   for (std::size_t k = 0; k < kCoordinateCount; ++k) {
     const int joint = model.dof_jntid[servos_[k].dof_address];
@@ -318,20 +322,21 @@ JointRanges RhythmController::RangesOf(const mjModel& model) const noexcept {
   return ranges;
 }
 
-ArmCommand RhythmController::ReadCommand(const mjModel& model, const mjData& data) const noexcept {
+ArmCommand RhythmController::ReadCommand(const ModelView& model,
+                                         const DataView& data) const noexcept {
   return {commands_[0].Read(model, data), commands_[1].Read(model, data),
           commands_[2].Read(model, data), commands_[3].Read(model, data),
           commands_[4].Read(model, data)};
 }
 
-ArmAngles RhythmController::Reached(const mjData& data) const noexcept {
+ArmAngles RhythmController::Reached(const DataView& data) const noexcept {
   const Quaternion q_TH =
       glm::conjugate(BodyRotation(data, thorax_body_)) * BodyRotation(data, humerus_body_);
   return ArmAnglesFromRotation(side_ == Side::kRight ? q_TH : Mirrored(q_TH));
 }
 
-const RhythmController::Aim& RhythmController::AimFor(const mjModel& model,
-                                                      const mjData& data) noexcept {
+const RhythmController::Aim& RhythmController::AimFor(const ModelView& model,
+                                                      const DataView& data) noexcept {
   const ArmCommand command = ReadCommand(model, data);
   if (command == solved_command_) {
     return solved_;
@@ -350,7 +355,7 @@ const RhythmController::Aim& RhythmController::AimFor(const mjModel& model,
 
 // d target / dt = (d target / d elevation) elevation_rate + (d target / d plane) plane_rate; an
 // axial turn adds to the last coordinate. A command that is held back by its range does not move.
-JointAngles RhythmController::TargetRates(const mjModel& model, const mjData& data,
+JointAngles RhythmController::TargetRates(const ModelView& model, const DataView& data,
                                           const Aim& aim) const noexcept {
   const ArmCommand command = ReadCommand(model, data);
   const std::array<double, kRateCount> read = {command.elevation_rad, command.plane_rad,
@@ -376,11 +381,11 @@ JointAngles RhythmController::TargetRates(const mjModel& model, const mjData& da
   return rates;
 }
 
-bool RhythmController::FeedsForward(const mjModel& model) const noexcept {
-  return has_rates_ && (model.opt.disableflags & mjDSBL_DAMPER) == 0;
+bool RhythmController::FeedsForward(const ModelView& model) const noexcept {
+  return has_rates_ && !model.Disables(model.engine->disable_damper);
 }
 
-void RhythmController::Actuate(const mjModel& model, mjData& data) noexcept {
+void RhythmController::Actuate(const ModelView& model, const DataView& data) noexcept {
   const Aim& aim = AimFor(model, data);
   JointAngles rates{};
   if (FeedsForward(model) && !aim.holds) {
@@ -399,13 +404,13 @@ void RhythmController::Actuate(const mjModel& model, mjData& data) noexcept {
   for (int i = 0; has_translations_ && i < 3; ++i) {
     drive(servos_[kCoordinateCount + static_cast<std::size_t>(i)], aim.target_p_TS_m[i], 0);
   }
-  if (!sensors_.empty() && (model.opt.disableflags & mjDSBL_SENSOR) == 0 &&
+  if (!sensors_.empty() && !model.Disables(model.engine->disable_sensor) &&
       !SensorsShow(data, aim)) {
     WriteSensors(data, aim);
   }
 }
 
-void RhythmController::Sense(const mjModel& model, mjData& data) noexcept {
+void RhythmController::Sense(const ModelView& model, const DataView& data) noexcept {
   const Aim& aim = AimFor(model, data);
   WriteSensors(data, aim);
   const ArmAngles reached = Reached(data);
@@ -417,7 +422,7 @@ void RhythmController::Sense(const mjModel& model, mjData& data) noexcept {
 }
 
 // What follows from the commands; where the arm is does not.
-void RhythmController::WriteSensors(mjData& data, const Aim& aim) const noexcept {
+void RhythmController::WriteSensors(const DataView& data, const Aim& aim) const noexcept {
   const double distance_rad = DistanceOf(data, aim);
   for (const Sensor& sensor : sensors_) {
     mjtNum* values = data.sensordata + sensor.address;
@@ -438,7 +443,7 @@ void RhythmController::WriteSensors(mjData& data, const Aim& aim) const noexcept
 }
 
 // Measured from the controls themselves: their ranges may be narrower.
-double RhythmController::DistanceOf(const mjData& data, const Aim& aim) const noexcept {
+double RhythmController::DistanceOf(const DataView& data, const Aim& aim) const noexcept {
   const double elevation_rad = commands_[0].Raw(data);
   const double plane_rad = commands_[1].Raw(data);
   return std::isnan(elevation_rad) || std::isnan(plane_rad)
@@ -446,7 +451,7 @@ double RhythmController::DistanceOf(const mjData& data, const Aim& aim) const no
              : rhythm_->rhythm().DistanceOutside(elevation_rad, plane_rad);
 }
 
-bool RhythmController::SensorsShow(const mjData& data, const Aim& aim) const noexcept {
+bool RhythmController::SensorsShow(const DataView& data, const Aim& aim) const noexcept {
   const double distance_rad = DistanceOf(data, aim);
   return std::all_of(sensors_.begin(), sensors_.end(), [&](const Sensor& sensor) {
     const mjtNum* values = data.sensordata + sensor.address;

@@ -25,8 +25,6 @@
 /// `him_elevation_r` and `elevation_r` are the same. No step depends on an earlier one.
 #pragma once
 
-#include <mujoco/mujoco.h>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -36,6 +34,7 @@
 
 #include "kinematics/assembled_rhythm.h"
 #include "kinematics/model_names.h"
+#include "plugin/engine_views.h"
 #include "tables/rhythm_config.h"
 
 namespace girdle {
@@ -44,16 +43,16 @@ class RhythmController {
  public:
   /// Finds the instance's actuators and checks the model around them. Throws std::runtime_error
   /// that names the element and the fix.
-  RhythmController(const mjModel& model, int instance, const RhythmConfig& config);
+  RhythmController(const ModelView& model, int instance, const RhythmConfig& config);
 
   /// Writes the forces of the nine servos, always finite; the commands' stay 0. Where the sensors
   /// were written for another command they are written anew, so that a change of a control alone
   /// reaches them.
-  void Actuate(const mjModel& model, mjData& data) noexcept;
+  void Actuate(const ModelView& model, const DataView& data) noexcept;
 
   /// Writes the instance's sensors, see sensor_layout. Positions are those of `data`, forward
   /// kinematics done.
-  void Sense(const mjModel& model, mjData& data) noexcept;
+  void Sense(const ModelView& model, const DataView& data) noexcept;
 
  private:
   /// Control of an actuator [rad, rad/s]; one that the model lacks is 0.
@@ -62,13 +61,13 @@ class RhythmController {
 
     [[nodiscard]] bool exists() const noexcept { return address >= 0; }
     /// As the user set it.
-    [[nodiscard]] double Raw(const mjData& data) const noexcept {
+    [[nodiscard]] double Raw(const DataView& data) const noexcept {
       return exists() ? data.ctrl[address] : 0;
     }
     /// Within its range, where the model gives one and MuJoCo is to heed it.
-    [[nodiscard]] double Read(const mjModel& model, const mjData& data) const noexcept;
+    [[nodiscard]] double Read(const ModelView& model, const DataView& data) const noexcept;
     /// The same, and 0 for what is not a finite number.
-    [[nodiscard]] double ReadFinite(const mjModel& model, const mjData& data) const noexcept;
+    [[nodiscard]] double ReadFinite(const ModelView& model, const DataView& data) const noexcept;
   };
   struct Servo {
     int qpos_address = 0;
@@ -78,7 +77,7 @@ class RhythmController {
     double stiffness = 0;  ///< [N m/rad], of a slide [N/m]
     int group = 0;         ///< MuJoCo leaves it to a plugin to heed option/actuatorgroupdisable
 
-    [[nodiscard]] bool IsDisabled(const mjModel& model) const noexcept;
+    [[nodiscard]] bool IsDisabled(const ModelView& model) const noexcept;
   };
   struct Sensor {
     int address = 0;
@@ -110,26 +109,26 @@ class RhythmController {
     return roles;
   }();
 
-  void AddCommand(const mjModel& model, int actuator, std::size_t role);
-  void AddServo(const mjModel& model, int actuator, std::size_t role, const RhythmConfig& config);
+  void AddCommand(const ModelView& model, int actuator, std::size_t role);
+  void AddServo(const ModelView& model, int actuator, std::size_t role, const RhythmConfig& config);
   /// Which assembly the servos make; throws if they make none.
   [[nodiscard]] Assembly CheckServos(const std::array<bool, kServoRoleCount>& has_servo);
   /// Throws if a servo that has to hold its joint has no stiffness.
   void CheckStiffness(const RhythmConfig& config) const;
-  void FindClavicle(const mjModel& model);
-  void FindSensors(const mjModel& model, int instance);
-  [[nodiscard]] JointRanges RangesOf(const mjModel& model) const noexcept;
+  void FindClavicle(const ModelView& model);
+  void FindSensors(const ModelView& model, int instance);
+  [[nodiscard]] JointRanges RangesOf(const ModelView& model) const noexcept;
   void SolveAim(const ArmCommand& command) noexcept;
-  [[nodiscard]] ArmCommand ReadCommand(const mjModel& model, const mjData& data) const noexcept;
+  [[nodiscard]] ArmCommand ReadCommand(const ModelView& model, const DataView& data) const noexcept;
   /// Valid until the next call.
-  [[nodiscard]] const Aim& AimFor(const mjModel& model, const mjData& data) noexcept;
-  [[nodiscard]] ArmAngles Reached(const mjData& data) const noexcept;
-  [[nodiscard]] JointAngles TargetRates(const mjModel& model, const mjData& data,
+  [[nodiscard]] const Aim& AimFor(const ModelView& model, const DataView& data) noexcept;
+  [[nodiscard]] ArmAngles Reached(const DataView& data) const noexcept;
+  [[nodiscard]] JointAngles TargetRates(const ModelView& model, const DataView& data,
                                         const Aim& aim) const noexcept;
-  [[nodiscard]] bool FeedsForward(const mjModel& model) const noexcept;
-  void WriteSensors(mjData& data, const Aim& aim) const noexcept;
-  [[nodiscard]] double DistanceOf(const mjData& data, const Aim& aim) const noexcept;
-  [[nodiscard]] bool SensorsShow(const mjData& data, const Aim& aim) const noexcept;
+  [[nodiscard]] bool FeedsForward(const ModelView& model) const noexcept;
+  void WriteSensors(const DataView& data, const Aim& aim) const noexcept;
+  [[nodiscard]] double DistanceOf(const DataView& data, const Aim& aim) const noexcept;
+  [[nodiscard]] bool SensorsShow(const DataView& data, const Aim& aim) const noexcept;
 
   std::array<Control, kAllCommandCount> commands_{};
   /// The nine coordinates, then the scapula's place.

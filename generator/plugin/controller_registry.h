@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+/// The controllers of a process, each of one plugin instance in one mjData.
+///
+/// MuJoCo keeps an integer for each instance in mjData. Python's pickle copies it with all other
+/// bytes, into another mjData or another process, where a pointer would be wild. So it is a
+/// ticket: it leads to a controller only in the process that gave it out, and only from the mjData
+/// that the controller is for.
+///
+/// Find takes no lock, since every step of every thread calls it. Add and Remove take one.
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <utility>
+
+#include "plugin/rhythm_controller.h"
+
+namespace girdle {
+
+class ControllerRegistry {
+ public:
+  ControllerRegistry() noexcept;
+  ControllerRegistry(const ControllerRegistry&) = delete;
+  ControllerRegistry& operator=(const ControllerRegistry&) = delete;
+  ~ControllerRegistry() = delete;  // it serves to the very end of the process
+
+  /// Takes a controller in and returns its ticket, never 0. One of the same mjData and instance is
+  /// deleted. Throws std::bad_alloc.
+  std::uintptr_t Add(std::unique_ptr<RhythmController> controller, const mjData* data,
+                     int instance);
+
+  /// Returns the controller of this mjData and instance, or null if `ticket` does not lead to it.
+  [[nodiscard]] RhythmController* Find(std::uintptr_t ticket, const mjData* data,
+                                       int instance) const noexcept;
+
+  /// Returns the ticket of this mjData and instance, or 0 if they have no controller.
+  [[nodiscard]] std::uintptr_t TicketOf(const mjData* data, int instance) noexcept;
+
+  /// Deletes the controller of this mjData and instance, if there is one.
+  void Remove(const mjData* data, int instance) noexcept;
+
+ private:
+  // What a ticket leads to. Places are used again, tickets are not.
+  struct Place {
+    std::atomic<std::uintptr_t> ticket{0};  ///< 0: free
+    std::atomic<const mjData*> data{nullptr};
+    std::atomic<int> instance{0};
+    std::atomic<RhythmController*> controller{nullptr};
+    Place* next_free = nullptr;
+    std::size_t number = 0;
+  };
+
+  // A ticket's low bits number its place, from 1 on.
+  static constexpr int kPlaceBits = 24;
+  // Block k has kFirstBlock << k places, and never moves.
+  static constexpr std::size_t kFirstBlock = 64;
+  static constexpr std::size_t kBlockCount = 18;
+  static constexpr std::size_t kMostPlaces = (kFirstBlock << kBlockCount) - kFirstBlock;
+  static_assert(kMostPlaces < std::size_t{1} << kPlaceBits);
+
+  /// Returns the block of a place.
+  [[nodiscard]] static std::size_t BlockOf(std::size_t number) noexcept;
+  /// Returns the place of a ticket, or null if there is no such place.
+  [[nodiscard]] Place* PlaceOf(std::uintptr_t ticket) const noexcept;
+  [[nodiscard]] Place& TakePlace();
+
+  std::array<std::atomic<Place*>, kBlockCount> blocks_{};
+
+  std::mutex mutex_;  ///< of what follows, and of all changes
+  std::map<std::pair<const mjData*, int>, std::uintptr_t> tickets_;
+  Place* first_free_ = nullptr;
+  std::size_t place_count_ = 0;  ///< of those that were ever used
+  std::uintptr_t next_;          ///< the high bits of the next ticket
+};
+
+}  // namespace girdle

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "plugin/engine_views.h"
+
+namespace girdle {
+namespace {
+
+// Whether the pointer at `offset` leads into the buffer that holds all arrays of the struct. Of an
+// array without elements it may lead to its end, or nowhere.
+bool LeadsIntoBuffer(const void* base, const EngineLayout::Buffer& buffer,
+                     std::uint32_t offset) noexcept {
+  const auto begin = ReadMember<std::uintptr_t>(base, buffer.begin);
+  const auto size = ReadMember<std::uint64_t>(base, buffer.size);
+  const auto at = offset == kNoMember ? 0 : ReadMember<std::uintptr_t>(base, offset);
+  return at == 0 || (begin != 0 && at >= begin && at - begin <= size);
+}
+
+}  // namespace
+
+bool LayoutFits(const mjModel& model, const mjData& data, const EngineLayout& engine) noexcept {
+  bool fits = true;
+#define GIRDLE_MODEL_ARRAY(type, member) \
+  fits = fits && LeadsIntoBuffer(&model, engine.model_buffer, engine.member);
+#define GIRDLE_DATA_ARRAY(type, member) \
+  fits = fits && LeadsIntoBuffer(&data, engine.data_buffer, engine.member);
+#include "plugin/engine_members.inc"
+  return fits;
+}
+
+}  // namespace girdle

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+/// mjModel and mjData of whatever version the process runs, with the names of their members.
+///
+/// A view is made anew at every call of the engine, because the caller may pass another copy of the
+/// model each time. It is valid as long as the struct that it was made from.
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+#include "plugin/engine_layout.h"
+
+namespace girdle {
+
+/// Returns the value of type T that lies `offset` bytes into `base`.
+template <typename T>
+[[nodiscard]] T ReadMember(const void* base, std::size_t offset) noexcept {
+  T value;
+  std::memcpy(&value, static_cast<const char*>(base) + offset, sizeof(T));
+  return value;
+}
+
+/// Returns the pointer to elements of type T in a member of `base`; null for kNoMember.
+template <typename T>
+[[nodiscard]] T* ReadArray(const void* base, std::uint32_t offset) noexcept {
+  return offset == kNoMember ? nullptr : ReadMember<T*>(base, offset);
+}
+
+/// mjModel, to read. Members are those of MuJoCo 4.
+struct ModelView {
+  const EngineLayout* engine;
+#define GIRDLE_MODEL_COUNT(member) std::int64_t member;
+#define GIRDLE_MODEL_FLAGS(member, name) int name;
+#define GIRDLE_MODEL_ARRAY(type, member) const type* member;
+#include "plugin/engine_members.inc"
+
+  /// Number of an actuator's first control, and of its first force.
+  [[nodiscard]] int ControlOf(int actuator) const noexcept {
+    return actuator_ctrladr == nullptr ? actuator : actuator_ctrladr[actuator];
+  }
+  [[nodiscard]] int OutputOf(int actuator) const noexcept {
+    return actuator_outadr == nullptr ? actuator : actuator_outadr[actuator];
+  }
+  /// Whether option/flag disables what `flag`, a constant of the layout, stands for.
+  [[nodiscard]] bool Disables(int flag) const noexcept { return (disableflags & flag) != 0; }
+};
+
+/// mjData, to read and to write.
+struct DataView {
+#define GIRDLE_DATA_ARRAY(type, member) type* member;
+#include "plugin/engine_members.inc"
+};
+
+[[nodiscard]] inline ModelView ViewOf(const mjModel& model, const EngineLayout& engine) noexcept {
+  ModelView view{};
+  view.engine = &engine;
+#define GIRDLE_MODEL_COUNT(member)                                    \
+  view.member = engine.count_size == sizeof(std::int32_t)             \
+                    ? ReadMember<std::int32_t>(&model, engine.member) \
+                    : ReadMember<std::int64_t>(&model, engine.member);
+#define GIRDLE_MODEL_FLAGS(member, name) view.name = ReadMember<int>(&model, engine.name);
+#define GIRDLE_MODEL_ARRAY(type, member) view.member = ReadArray<const type>(&model, engine.member);
+#include "plugin/engine_members.inc"
+  return view;
+}
+
+[[nodiscard]] inline DataView ViewOf(mjData& data, const EngineLayout& engine) noexcept {
+  DataView view{};
+#define GIRDLE_DATA_ARRAY(type, member) view.member = ReadArray<type>(&data, engine.member);
+#include "plugin/engine_members.inc"
+  return view;
+}
+
+/// Returns whether the arrays of both structs lie where MuJoCo keeps arrays. They do not in an
+/// engine that has another layout than the version that it names.
+[[nodiscard]] bool LayoutFits(const mjModel& model, const mjData& data,
+                              const EngineLayout& engine) noexcept;
+
+}  // namespace girdle
