@@ -161,7 +161,7 @@ Trial OpenEngine(const std::filesystem::path& engine) {
 Trial OpenPlugin(const std::filesystem::path& plugin) {
   return TrialOf([&](const Write& write) {
     const Library library(plugin);
-    auto* version = library.Find<int()>(kEngineVersionSymbol);
+    auto* version = library.Find<int()>(kPluginVersionSymbol);
     if (version == nullptr) {
       throw std::runtime_error(
           "is not a plugin of this Girdle: it does not say which MuJoCo it is for");

@@ -354,12 +354,7 @@ class ShoulderModelWriter {
         faces += (faces.empty() ? "" : " ") + std::to_string(vertex);
       }
     }
-    // Bones are drawn, not weighed: "shell" spares MuJoCo's check of enclosed volumes.
-    asset.Add("mesh")
-        .Set("name", name)
-        .Set("inertia", "shell")
-        .Set("vertex", vertices)
-        .Set("face", faces);
+    asset.Add("mesh").Set("name", name).Set("vertex", vertices).Set("face", faces);
   }
 
   void WriteBodies(XmlElement world) const {

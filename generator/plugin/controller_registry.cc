@@ -14,6 +14,17 @@ ControllerRegistry::ControllerRegistry() noexcept
     : next_(static_cast<std::uintptr_t>(
           std::chrono::system_clock::now().time_since_epoch().count())) {}
 
+ControllerRegistry::~ControllerRegistry() {
+  for (const auto& [owner, ticket] : tickets_) {
+    if (const Place* const place = PlaceOf(ticket); place != nullptr) {
+      delete place->controller.load(std::memory_order_relaxed);
+    }
+  }
+  for (const std::atomic<Place*>& block : blocks_) {
+    delete[] block.load(std::memory_order_relaxed);
+  }
+}
+
 // Block k begins with place kFirstBlock (2^k - 1).
 std::size_t ControllerRegistry::BlockOf(std::size_t number) noexcept {
   return static_cast<std::size_t>(std::bit_width(number / kFirstBlock + 1)) - 1;

@@ -31,7 +31,7 @@ class ControllerRegistry {
   ControllerRegistry() noexcept;
   ControllerRegistry(const ControllerRegistry&) = delete;
   ControllerRegistry& operator=(const ControllerRegistry&) = delete;
-  ~ControllerRegistry() = delete;  // it serves to the very end of the process
+  ~ControllerRegistry();
 
   /// Takes a controller in and returns its ticket, never 0. One of the same mjData and instance is
   /// deleted. Throws std::bad_alloc.

@@ -27,6 +27,7 @@ EngineFunctions FunctionsOf(void* library) noexcept {
   Take(library, "mj_version", engine.version);
   Take(library, "mj_versionString", engine.version_string);
   Take(library, "mju_warning", engine.warning);
+  Take(library, "mj_id2name", engine.id_to_name);
   Take(library, "mj_isSparse", engine.is_sparse);
   Take(library, "mj_getPluginConfig", engine.get_plugin_config);
   Take(library, "mjp_defaultPlugin", engine.default_plugin);

@@ -17,6 +17,7 @@ struct EngineFunctions {
   decltype(&mj_version) version = nullptr;
   decltype(&mj_versionString) version_string = nullptr;
   decltype(&mju_warning) warning = nullptr;
+  decltype(&mj_id2name) id_to_name = nullptr;
   decltype(&mj_isSparse) is_sparse = nullptr;
   decltype(&mj_getPluginConfig) get_plugin_config = nullptr;
   decltype(&mjp_defaultPlugin) default_plugin = nullptr;
@@ -25,8 +26,8 @@ struct EngineFunctions {
 
   [[nodiscard]] bool complete() const noexcept {
     return version != nullptr && version_string != nullptr && warning != nullptr &&
-           is_sparse != nullptr && get_plugin_config != nullptr && default_plugin != nullptr &&
-           get_plugin != nullptr && register_plugin != nullptr;
+           id_to_name != nullptr && is_sparse != nullptr && get_plugin_config != nullptr &&
+           default_plugin != nullptr && get_plugin != nullptr && register_plugin != nullptr;
   }
 };
 

@@ -18,14 +18,20 @@ bool LeadsIntoBuffer(const void* base, const EngineLayout::Buffer& buffer,
 
 }  // namespace
 
-bool LayoutFits(const mjModel& model, const mjData& data, const EngineLayout& engine) noexcept {
+bool LayoutFits(const mjModel& model, const mjData& data, const EngineLayout& engine, int instance,
+                const char* name) noexcept {
   bool fits = true;
 #define GIRDLE_MODEL_ARRAY(type, member) \
   fits = fits && LeadsIntoBuffer(&model, engine.model_buffer, engine.member);
 #define GIRDLE_DATA_ARRAY(type, member) \
   fits = fits && LeadsIntoBuffer(&data, engine.data_buffer, engine.member);
 #include "plugin/engine_members.inc"
-  return fits;
+  if (!fits) {
+    return false;
+  }
+  // Where a member before them was added or left away, the names are others.
+  const ModelView view = ViewOf(model, engine);
+  return name == nullptr || name == view.names + view.name_pluginadr[instance];
 }
 
 }  // namespace girdle

@@ -11,6 +11,7 @@
 
 #include "kinematics/model_names.h"
 #include "plugin/controller_registry.h"
+#include "plugin/engine_faults.h"
 #include "plugin/engine_functions.h"
 #include "plugin/engine_views.h"
 #include "plugin/library_files.h"
@@ -19,9 +20,6 @@
 
 namespace girdle {
 namespace {
-
-// The one version whose sparse factorisation is wrong.
-constexpr int kWrongWhereSparse = 4000000;
 
 // Set once while the library is loaded, before MuJoCo can call anything below.
 EngineFunctions engine;                // NOLINT(readability-identifier-naming)
@@ -51,31 +49,35 @@ std::unique_ptr<RhythmController> MakeController(const mjModel* model, int insta
   return std::make_unique<RhythmController>(ViewOf(*model, *layout), instance, config);
 }
 
+// Warns of an instance, which need not have a name.
+void Warn(const char* instance_name, const char* message) noexcept {
+  engine.warning("%s instance \"%s\": %s", kPluginName,
+                 instance_name == nullptr ? "" : instance_name, message);
+}
+
 // Returns 0, or -1 after a warning that names instance and fix. Nothing escapes.
 int Init(const mjModel* model, mjData* data, int instance) noexcept {
-  if (!LayoutFits(*model, *data, *layout)) {
+  const char* const name = engine.id_to_name(model, layout->object_plugin, instance);
+  if (!LayoutFits(*model, *data, *layout, instance, name)) {
     engine.warning(
         "%s: this MuJoCo says that it is version %s, but its mjModel is laid out in another way. "
         "Run a MuJoCo as it was published, for example of pip install mujoco",
         kPluginName, engine.version_string());
     return -1;
   }
-  const ModelView view = ViewOf(*model, *layout);
-  const char* name = view.names + view.name_pluginadr[instance];
   TicketIn(*data, instance) = 0;
   try {
     TicketIn(*data, instance) = Registry().Add(MakeController(model, instance), data, instance);
-    if (engine.version() == kWrongWhereSparse && engine.is_sparse(model) != 0) {
-      engine.warning(
-          "%s instance \"%s\": MuJoCo %s solves sparse models wrongly, and this one is sparse. Add "
-          "<option jacobian=\"dense\"/> to the model, or run another version",
-          kPluginName, name, engine.version_string());
+    const std::string fault = EngineFault(engine.version(), ViewOf(*model, *layout), instance,
+                                          engine.is_sparse(model) != 0);
+    if (!fault.empty()) {
+      Warn(name, fault.c_str());
     }
     return 0;
   } catch (const std::exception& error) {
-    engine.warning("%s instance \"%s\": %s", kPluginName, name, error.what());
+    Warn(name, error.what());
   } catch (...) {
-    engine.warning("%s instance \"%s\": unknown error", kPluginName, name);
+    Warn(name, "unknown error");
   }
   return -1;
 }

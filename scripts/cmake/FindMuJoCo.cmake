@@ -13,8 +13,6 @@
 #   fetched   build/engine, where scripts/setup puts it; of several the newest
 #   python    the `mujoco` of the python3 on PATH
 #
-# It never takes MuJoCo 4.0.0, whose sparse factorisation is wrong.
-#
 # It sets MuJoCo_FOUND, MuJoCo_VERSION, MuJoCo_INCLUDE_DIR, MuJoCo_LIBRARY and
 # MuJoCo_SOURCE (one of the four words above). None of them is cached: looking
 # is cheap, and a cached answer would outlive the library it names.
@@ -79,23 +77,13 @@ function(_mujoco_look_in folder)
   endforeach()
 endfunction()
 
-# A version that gives wrong results, and what is wrong with it.
-set(_mujoco_refused_version 4.0.0)
-set(_mujoco_refused_because "its sparse factorisation is wrong, use 4.0.1")
-
 # Unsets the three result variables again if their version is not the one
-# asked for or gives wrong results, so that the next source gets its chance.
+# asked for, so that the next source gets its chance.
 macro(_mujoco_drop_wrong_version)
   if(MuJoCo_LIBRARY)
     find_package_check_version("${MuJoCo_VERSION}" _mujoco_suits HANDLE_VERSION_RANGE)
-    set(_mujoco_because "")
-    if(MuJoCo_VERSION VERSION_EQUAL _mujoco_refused_version)
-      set(_mujoco_suits FALSE)
-      set(_mujoco_because " (${_mujoco_refused_because})")
-    endif()
     if(NOT _mujoco_suits)
-      string(APPEND _mujoco_passed_over
-             "\n      MuJoCo ${MuJoCo_VERSION} in ${MuJoCo_LIBRARY}${_mujoco_because}")
+      string(APPEND _mujoco_passed_over "\n      MuJoCo ${MuJoCo_VERSION} in ${MuJoCo_LIBRARY}")
       unset(MuJoCo_INCLUDE_DIR)
       unset(MuJoCo_LIBRARY)
       unset(MuJoCo_VERSION)
@@ -125,12 +113,6 @@ if(NOT _mujoco_root STREQUAL "")
     set(_mujoco_reason "${_mujoco_root_is} is set, but ${_mujoco_reason}.\n    \
 Set it to the folder of an unpacked MuJoCo release (with include/ and lib/) or \
 to a wheel's mujoco folder, or unset it and run scripts/setup.")
-  elseif(MuJoCo_VERSION VERSION_EQUAL _mujoco_refused_version)
-    set(_mujoco_reason "${_mujoco_root_is} names MuJoCo ${MuJoCo_VERSION} in ${MuJoCo_LIBRARY}: \
-${_mujoco_refused_because}.")
-    unset(MuJoCo_LIBRARY)
-    unset(MuJoCo_INCLUDE_DIR)
-    unset(MuJoCo_VERSION)
   else()
     set(_mujoco_reason "It is the one that ${_mujoco_root_is} names.")
   endif()
@@ -150,13 +132,6 @@ else()
     get_target_property(MuJoCo_LIBRARY mujoco::mujoco LOCATION)
     set(MuJoCo_VERSION "${mujoco_VERSION}")
     set(MuJoCo_SOURCE package)
-    # The package has made its target by now, so nothing else can be taken in its place.
-    if(MuJoCo_VERSION VERSION_EQUAL _mujoco_refused_version)
-      string(APPEND _mujoco_reason
-             "The installed package is MuJoCo ${MuJoCo_VERSION}, in ${MuJoCo_LIBRARY}: \
-${_mujoco_refused_because} (scripts/setup fetches that, set MUJOCO_ROOT to its folder).")
-      set(MuJoCo_LIBRARY "")
-    endif()
   else()
     foreach(_mujoco_other IN ZIP_LISTS mujoco_CONSIDERED_VERSIONS mujoco_CONSIDERED_CONFIGS)
       string(APPEND _mujoco_passed_over

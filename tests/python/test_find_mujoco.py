@@ -16,7 +16,7 @@ TOP = (ROOT / "CMakeLists.txt").read_text(encoding="utf-8")
 TIMEOUT_S = 60
 
 # What the top CMakeLists asks for, so that the two cannot part.
-ASKED = re.findall(r"^set\(GIRDLE_OLDEST_MUJOCO .*\)$|^ *find_package\(MuJoCo .*\)$", TOP, re.MULTILINE)
+ASKED = re.findall(r"^ *find_package\(MuJoCo .*\)$", TOP, re.MULTILINE)
 
 PROJECT = f"""
 cmake_minimum_required(VERSION 3.25)
@@ -43,7 +43,7 @@ def configure(folder: Path, **environment: str) -> subprocess.CompletedProcess[s
     (folder / "CMakeLists.txt").write_text(PROJECT)
     kept = {name: value for name, value in os.environ.items() if name != "MUJOCO_ROOT"}
     return subprocess.run(
-        ["cmake", "-S", folder, "-B", folder / "build"],
+        ["cmake", "-G", "Ninja", "-S", folder, "-B", folder / "build"],
         capture_output=True,
         text=True,
         timeout=TIMEOUT_S,
@@ -53,11 +53,11 @@ def configure(folder: Path, **environment: str) -> subprocess.CompletedProcess[s
 
 
 def test_the_question_is_read_from_the_build() -> None:
-    assert len(ASKED) == 2, ASKED
+    assert len(ASKED) == 1, ASKED
 
 
-@pytest.mark.parametrize("version", ["3.17.0", "4.0.1", "4.2.0"])
-def test_the_last_three_and_later_ones_are_taken(tmp_path: Path, version: str) -> None:
+@pytest.mark.parametrize("version", ["4.0.1", "4.2.0"])
+def test_the_one_that_is_asked_for_and_later_ones_are_taken(tmp_path: Path, version: str) -> None:
     root = release(tmp_path / "mujoco", version)
     finished = configure(tmp_path, MUJOCO_ROOT=str(root))
     assert finished.returncode == 0, finished.stderr
@@ -65,27 +65,19 @@ def test_the_last_three_and_later_ones_are_taken(tmp_path: Path, version: str) -
 
 
 def test_an_older_one_is_refused_with_the_version_that_is_needed(tmp_path: Path) -> None:
-    root = release(tmp_path / "mujoco", "3.16.0")
-    finished = configure(tmp_path, MUJOCO_ROOT=str(root))
-    assert finished.returncode != 0
-    assert re.search(r'unsuitable version "3.16.0".*at least "3.17.0"', finished.stderr, re.DOTALL)
-
-
-def test_four_zero_zero_is_refused_for_what_is_wrong_with_it(tmp_path: Path) -> None:
     root = release(tmp_path / "mujoco", "4.0.0")
     finished = configure(tmp_path, MUJOCO_ROOT=str(root))
     assert finished.returncode != 0
     message = " ".join(finished.stderr.split())
-    assert "names MuJoCo 4.0.0" in message
-    assert "its sparse factorisation is wrong, use 4.0.1" in message
+    assert re.search(r'unsuitable version "4.0.0".*at least "4.0.1"', message), message
 
 
 @pytest.mark.parametrize(
     ("versions", "taken"),
     [
         (("mujoco-core-4.0.1", "mujoco-3.17.0"), "4.0.1"),
-        (("mujoco-core-4.0.0", "mujoco-3.17.0"), "3.17.0"),
-        (("mujoco-3.14.0", "mujoco-3.17.0"), "3.17.0"),
+        (("mujoco-core-4.0.0", "mujoco-4.0.1", "mujoco-3.17.0"), "4.0.1"),
+        (("mujoco-4.0.1", "mujoco-core-4.10.0", "mujoco-core-4.9.0"), "4.10.0"),
     ],
 )
 def test_of_those_fetched_the_newest_good_one_is_taken(
@@ -96,19 +88,3 @@ def test_of_those_fetched_the_newest_good_one_is_taken(
     finished = configure(tmp_path)
     assert finished.returncode == 0, finished.stderr
     assert f"took {taken} from fetched" in finished.stdout
-
-
-def test_an_installed_four_zero_zero_is_refused(tmp_path: Path) -> None:
-    package = tmp_path / "prefix" / "lib" / "cmake" / "mujoco"
-    package.mkdir(parents=True)
-    (package / "mujocoConfig.cmake").write_text(
-        "add_library(mujoco::mujoco SHARED IMPORTED)\n"
-        "set_target_properties(mujoco::mujoco PROPERTIES IMPORTED_LOCATION /x/libmujoco.so.4.0.0\n"
-        "  INTERFACE_INCLUDE_DIRECTORIES /)\n"
-    )
-    (package / "mujocoConfigVersion.cmake").write_text(
-        "set(PACKAGE_VERSION 4.0.0)\nset(PACKAGE_VERSION_COMPATIBLE TRUE)\n"
-    )
-    finished = configure(tmp_path, CMAKE_PREFIX_PATH=str(tmp_path / "prefix"))
-    assert finished.returncode != 0
-    assert "The installed package is MuJoCo 4.0.0" in " ".join(finished.stderr.split())
