@@ -34,6 +34,9 @@ KINDS = list(itertools.product(SIDES, ASSEMBLIES))
 # The same motion by two ways of turning targets into forces: kp (target - q) and kp target - kp q
 # round differently, and a constraint's solver ends by its tolerance.
 SAME_RAD = 1e-9
+# Before 3.8 the engine gives a constraint another force in the first steps than the program's.
+VERSION = tuple(int(part) for part in mujoco.__version__.split("."))
+SAME_AS_PROGRAM_RAD = SAME_RAD if VERSION >= (3, 8) else 1e-5
 
 # Through all planes, up to where it is not measured, and back.
 MOTION = """time_s,elevation_deg,plane_deg,axial_deg
@@ -130,7 +133,7 @@ def test_controls_written_by_the_plugin_move_the_servos_alike(
     for row, targets in enumerate(controls[:, 1:]):
         for suffix, trace_rad in traces.items():
             apart_rad = np.abs(joints_of(servos, data, suffix) - trace_rad[row]).max()
-            assert apart_rad < SAME_RAD, (suffix, row)
+            assert apart_rad < SAME_AS_PROGRAM_RAD, (suffix, row)
             largest_rad = max(largest_rad, float(np.abs(trace_rad[row] - trace_rad[0]).max()))
         data.ctrl[:] = targets
         mujoco.mj_step(servos, data)
@@ -202,6 +205,7 @@ def test_both_pickled_go_on_as_their_original(both: mujoco.MjModel) -> None:
 
 TORSO = """
 <mujoco model="somebody's">
+  <compiler angle="radian"/>
   <option timestep="0.002" integrator="implicitfast"/>
   <worldbody>
     <body name="neck" pos="0 0 3">

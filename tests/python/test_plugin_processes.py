@@ -1,0 +1,323 @@
+# SPDX-FileCopyrightText: 2026 The Girdle authors
+# SPDX-License-Identifier: Apache-2.0
+"""The plugin where data travel: pickles, copies, spawned workers, a second copy of the library.
+
+Each case runs in a process of its own, because what went wrong here ended the process.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import mujoco
+import pytest
+
+TIMEOUT_S = 60
+
+# Put before each script: a model and data that are in the middle of a motion.
+START = """
+import copy, gc, pickle, sys
+import mujoco
+def load(): mujoco.mj_loadPluginLibrary(sys.argv[1])
+def start():
+    model = mujoco.MjModel.from_xml_path(sys.argv[2])
+    data = mujoco.MjData(model)
+    data.ctrl[0] = 1.2
+    mujoco.mj_step(model, data, 20)
+    return model, data
+def end(model, data):
+    mujoco.mj_step(model, data, 50)
+    return data.qpos.tolist(), data.sensordata.tolist()
+"""
+
+
+def run(
+    script: str, *arguments: str | Path, folder: Path, stdin: bytes | None = None, **environment: str
+) -> subprocess.CompletedProcess[bytes]:
+    return subprocess.run(
+        [sys.executable, "-c", START + script, *arguments],
+        input=stdin,
+        capture_output=True,
+        cwd=folder,  # for MuJoCo's log
+        timeout=TIMEOUT_S,
+        check=False,
+        env={**os.environ, **environment},
+    )
+
+
+def assert_says(finished: subprocess.CompletedProcess[bytes], text: str) -> None:
+    assert finished.returncode == 0, finished.stderr.decode()
+    assert finished.stdout.decode() == text
+    assert finished.stderr.decode() == ""
+
+
+# --- Pickles and copies --------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "copied", ["pickle.loads(pickle.dumps(data))", "copy.copy(data)", "copy.deepcopy(data)"]
+)
+def test_data_that_were_copied_go_on_as_their_original(
+    copied: str, plugin_library: Path, model_path: Path, tmp_path: Path
+) -> None:
+    """In any order of going on and of being deleted."""
+    script = f"""
+load()
+model, data = start()
+first, second = {copied}, {copied}
+ends = [end(model, first)]
+del first
+gc.collect()
+ends.append(end(model, data))
+del data
+gc.collect()
+ends.append(end(model, second))
+del second, model
+gc.collect()
+assert ends[0] == ends[1] == ends[2]
+assert abs(ends[0][0][5]) > 1e-3  # it moves
+print("same")
+"""
+    assert_says(run(script, plugin_library, model_path, folder=tmp_path), "same\n")
+
+
+def test_pickled_data_go_on_in_another_process(
+    plugin_library: Path, model_path: Path, tmp_path: Path
+) -> None:
+    send = """
+load()
+model, data = start()
+sys.stdout.buffer.write(pickle.dumps((model, data, end(model, copy.copy(data)))))
+"""
+    receive = """
+load()
+model, data, expected = pickle.loads(sys.stdin.buffer.read())
+assert end(model, data) == expected
+again = pickle.loads(pickle.dumps(data))
+assert end(model, again) == end(model, data)
+del data, again
+gc.collect()
+print("same")
+"""
+    sent = run(send, plugin_library, model_path, folder=tmp_path)
+    assert sent.returncode == 0, sent.stderr.decode()
+    received = run(receive, plugin_library, model_path, folder=tmp_path, stdin=sent.stdout)
+    assert_says(received, "same\n")
+
+
+def test_many_data_that_come_and_go_and_are_copied_stay_apart(
+    plugin_library: Path, model_path: Path, tmp_path: Path
+) -> None:
+    script = """
+load()
+model, data = start()
+packed = pickle.dumps(data)
+expected = end(model, data)
+kept = []
+for k in range(300):
+    one = pickle.loads(packed) if k % 3 else mujoco.MjData(model)
+    if k % 2: kept.append((k, one))
+for k, one in kept:
+    if k % 3: assert end(model, one) == expected, k
+print("apart")
+"""
+    assert_says(run(script, plugin_library, model_path, folder=tmp_path), "apart\n")
+
+
+# --- Workers -------------------------------------------------------------------------------------
+
+WORKERS = """
+import multiprocessing
+import sys
+import mujoco
+
+def work(elevation):
+    model = mujoco.MjModel.from_xml_path(sys.argv[1])
+    data = mujoco.MjData(model)
+    data.ctrl[0] = elevation
+    mujoco.mj_step(model, data, 50)
+    return data.qpos.tolist()
+
+if __name__ == "__main__":
+    elevations = [0.2, 0.6, 1.0, 1.4]
+    with multiprocessing.get_context("spawn").Pool(2) as pool:
+        assert pool.map(work, elevations) == [work(each) for each in elevations]
+    print("same")
+"""
+
+
+@pytest.fixture
+def package_with_plugin(plugin_library: Path, tmp_path: Path) -> Path:
+    """A copy of the mujoco package whose own folder of plugins has ours; where Python finds it."""
+    package = Path(mujoco.__file__).parent
+    shutil.copytree(package, tmp_path / "site" / "mujoco", ignore=shutil.ignore_patterns("doc"))
+    for libraries in package.parent.glob("mujoco*.libs"):
+        shutil.copytree(libraries, tmp_path / "site" / libraries.name)
+    shutil.copy(plugin_library, tmp_path / "site" / "mujoco" / "plugin")
+    return tmp_path / "site"
+
+
+def test_spawned_workers_have_the_plugin_of_the_packages_folder(
+    package_with_plugin: Path, model_path: Path, tmp_path: Path
+) -> None:
+    """No line loads it, neither here nor in the workers."""
+    script = tmp_path / "workers.py"
+    script.write_text(WORKERS)
+    finished = subprocess.run(
+        [sys.executable, script, model_path],
+        capture_output=True,
+        cwd=tmp_path,
+        timeout=TIMEOUT_S,
+        check=False,
+        env={**os.environ, "PYTHONPATH": str(package_with_plugin)},
+    )
+    assert_says(finished, "same\n")
+
+
+# --- A second copy -------------------------------------------------------------------------------
+
+LOAD_BOTH = """
+load()
+mujoco.mj_loadPluginLibrary(sys.argv[3])
+print(len(end(*start())[0]))
+"""
+
+
+def test_a_load_line_after_the_packages_folder_does_no_harm(
+    package_with_plugin: Path, plugin_library: Path, model_path: Path, tmp_path: Path
+) -> None:
+    script = "load()\nprint(len(end(*start())[0]))"
+    site = str(package_with_plugin)
+    finished = run(script, plugin_library, model_path, folder=tmp_path, PYTHONPATH=site)
+    assert_says(finished, "9\n")
+    assert not (tmp_path / "MUJOCO_LOG.TXT").exists()
+
+
+def test_a_second_copy_of_the_same_plugin_does_nothing(
+    plugin_library: Path, model_path: Path, tmp_path: Path
+) -> None:
+    copied = shutil.copy(plugin_library, tmp_path / "libcopied.so")
+    assert_says(run(LOAD_BOTH, plugin_library, model_path, copied, folder=tmp_path), "9\n")
+
+
+def test_the_plugin_of_another_girdle_is_not_used_and_says_so(
+    plugin_library: Path, model_path: Path, tmp_path: Path
+) -> None:
+    """Another build: the same with a byte behind its end."""
+    other = tmp_path / "libother.so"
+    other.write_bytes(plugin_library.read_bytes() + b"\0")
+    finished = run(LOAD_BOTH, plugin_library, model_path, other, folder=tmp_path)
+    assert finished.returncode == 0, finished.stderr.decode()
+    assert finished.stdout.endswith(b"9\n")
+    said = (tmp_path / "MUJOCO_LOG.TXT").read_text()
+    version = r"\(Girdle \d+\.\d+\.\d+\)"
+    expected = (
+        rf"girdle\.rhythm of {re.escape(str(other))} {version} is not used, because this process "
+        rf"has the plugin of {re.escape(str(plugin_library))} {version} already\. Load one of them"
+    )
+    assert re.search(expected, said), said
+
+
+# --- Engines that are not what they say ----------------------------------------------------------
+
+STRANGE_ENGINE = """
+#include <cstdarg>
+#include <cstdio>
+extern "C" {
+int mj_version() { return VERSION; }
+const char* mj_versionString() { return "9.9.9"; }
+void mju_warning(const char* text, ...) {
+  va_list arguments;
+  va_start(arguments, text);
+  std::vprintf(text, arguments);
+  va_end(arguments);
+}
+void mj_isSparse() {}
+void mj_id2name() {}
+void mj_getPluginConfig() {}
+void mjp_defaultPlugin() {}
+void mjp_getPlugin() {}
+void mjp_registerPlugin() { std::puts("registered"); }
+}
+"""
+
+
+def test_an_engine_of_a_version_that_nobody_knows_is_refused_with_the_fix(
+    plugin_library: Path, tmp_path: Path
+) -> None:
+    source, library = tmp_path / "engine.cc", tmp_path / "libmujoco.so.9.9.9"
+    source.write_text(STRANGE_ENGINE)
+    command = ["g++", "-shared", "-fPIC", "-DVERSION=9009009", source, "-o", library]
+    subprocess.run(command, check=True)
+    load = "import ctypes, sys\nctypes.CDLL(sys.argv[1])\nctypes.CDLL(sys.argv[2])"
+    finished = subprocess.run(
+        [sys.executable, "-c", load, library, plugin_library], capture_output=True, text=True, check=True
+    )
+    assert "registered" not in finished.stdout
+    assert f"{plugin_library} (Girdle " in finished.stdout
+    assert "does not know MuJoCo 9.9.9" in finished.stdout
+    assert re.search(r"Run a MuJoCo from 3\.2\.7 to 4\.0\.1", finished.stdout), finished.stdout
+
+
+# --- Faults of single versions -------------------------------------------------------------------
+
+SPARSE = """
+load()
+messages = []
+mujoco.set_mju_user_warning(messages.append)
+spec = mujoco.MjSpec.from_file(sys.argv[2])
+spec.option.jacobian = mujoco.mjtJacobian.mjJAC_SPARSE
+mujoco.MjData(spec.compile())
+print(len(messages), messages[:1])
+messages.clear()
+spec.option.jacobian = mujoco.mjtJacobian.mjJAC_AUTO
+mujoco.MjData(spec.compile())
+print(len(messages))
+"""
+
+
+def test_sparse_models_are_warned_of_where_they_are_solved_wrongly(
+    plugin_library: Path, model_path: Path, tmp_path: Path
+) -> None:
+    finished = run(SPARSE, plugin_library, model_path, folder=tmp_path)
+    assert finished.returncode == 0, finished.stderr.decode()
+    if mujoco.__version__ == "4.0.0":
+        assert b'<option jacobian="dense"/>' in finished.stdout
+        assert finished.stdout.endswith(b"]\n0\n")
+    else:
+        assert finished.stdout == b"0 []\n0\n"
+
+
+ATTACHED = """
+load()
+messages = []
+mujoco.set_mju_user_warning(messages.append)
+for degree in (True, False):
+    parent = mujoco.MjSpec()
+    parent.compiler.degree = degree
+    parent.attach(mujoco.MjSpec.from_file(sys.argv[2]), prefix="her_", frame=parent.worldbody.add_frame())
+    try:
+        mujoco.MjData(parent.compile())
+    except ValueError as error:  # what the engine makes of a warning while it compiles
+        messages.append(str(error))
+    ours = [message for message in messages if "girdle.rhythm" in message]
+    print(len(ours), *ours[:1])
+    messages.clear()
+"""
+
+
+def test_ranges_that_are_taken_for_degrees_are_warned_of(
+    plugin_library: Path, model_path: Path, tmp_path: Path
+) -> None:
+    finished = run(ATTACHED, plugin_library, model_path, folder=tmp_path)
+    assert finished.returncode == 0, finished.stderr.decode()
+    if mujoco.__version__ == "3.3.0":
+        assert b"Set compiler.degree of the parent to False" in finished.stdout
+        assert finished.stdout.endswith(b"version\n0\n")
+    else:
+        assert finished.stdout == b"0\n0\n"
