@@ -34,9 +34,7 @@ KINDS = list(itertools.product(SIDES, ASSEMBLIES))
 # The same motion by two ways of turning targets into forces: kp (target - q) and kp target - kp q
 # round differently, and a constraint's solver ends by its tolerance.
 SAME_RAD = 1e-9
-# Before 3.8 the engine gives a constraint another force in the first steps than the program's.
 VERSION = tuple(int(part) for part in mujoco.__version__.split("."))
-SAME_AS_PROGRAM_RAD = SAME_RAD if VERSION >= (3, 8) else 1e-5
 
 # Through all planes, up to where it is not measured, and back.
 MOTION = """time_s,elevation_deg,plane_deg,axial_deg
@@ -129,11 +127,13 @@ def test_controls_written_by_the_plugin_move_the_servos_alike(
     data = mujoco.MjData(servos)
     columns = [name.rsplit("_", 1)[0] for name in header[1:]]
     assert columns == [servos.actuator(i).name for i in range(servos.nu)]
+    # Before 3.7 what closes a loop leaves out the acceleration that its motion brings along.
+    same_rad = SAME_RAD if assembly == "tree" or VERSION >= (3, 7) else 1e-3
     largest_rad = 0.0
     for row, targets in enumerate(controls[:, 1:]):
         for suffix, trace_rad in traces.items():
             apart_rad = np.abs(joints_of(servos, data, suffix) - trace_rad[row]).max()
-            assert apart_rad < SAME_AS_PROGRAM_RAD, (suffix, row)
+            assert apart_rad < same_rad, (suffix, row)
             largest_rad = max(largest_rad, float(np.abs(trace_rad[row] - trace_rad[0]).max()))
         data.ctrl[:] = targets
         mujoco.mj_step(servos, data)
