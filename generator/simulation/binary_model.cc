@@ -109,10 +109,11 @@ void ExpectOwnPlugin(const std::string& path, std::ifstream& in, const mjModel& 
 void ExpectSurvived(const std::string& path) {
   constexpr int kLimit_s = 60;
   constexpr int kSteps = 10;
+  const std::string whole_path = std::filesystem::absolute(path);  // the child is elsewhere
   const ChildResult tried = RunInChild(
-      [&path](const auto& /*write*/) {
+      [&whole_path](const auto& /*write*/) {
         try {
-          if (const ModelPointer model{mj_loadModel(path.c_str(), nullptr)}) {
+          if (const ModelPointer model{mj_loadModel(whole_path.c_str(), nullptr)}) {
             const DataPointer data(mj_makeData(model.get()));
             for (int step = 0; data != nullptr && step < kSteps; ++step) {
               mj_step(model.get(), data.get());
