@@ -55,7 +55,7 @@ ROTATION_DEG = 1e-9
 # The motion file is interpolated twice, here and in the program, over commands up to 135 deg.
 MOTION_DEG = 1e-9
 
-# Up and down, across all planes, with a stretch outside the measured 15..120 and 0..90.
+# Up and down, across all planes, with a stretch outside the table, 15..120 and 0..90.
 MOTION = (
     # time_s, elevation_deg, plane_deg
     (0.0, 20.0, 5.0),
