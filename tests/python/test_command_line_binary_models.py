@@ -29,7 +29,7 @@ VERBS: dict[str, tuple[str, ...]] = {
 }
 every_verb = pytest.mark.parametrize("command", VERBS.values(), ids=VERBS.keys())
 
-MJB_FIX = "Give its XML"
+MJB_FIX = "[Gg]ive its XML"
 
 # A process that has MuJoCo with the named plugin alone; Python's bindings load others with it.
 SAVE = """
