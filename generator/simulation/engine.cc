@@ -8,10 +8,12 @@
 #include <filesystem>
 #include <mutex>
 #include <sstream>
+#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "kinematics/model_names.h"
+#include "simulation/binary_model.h"
 #include "tables/input_error.h"
 
 namespace girdle {
@@ -64,11 +66,9 @@ bool IsBinary(const std::string& name) { return std::filesystem::path(name).exte
 void ExpectLoaded(const ModelPointer& model, const std::string& name, const std::string& reason) {
   const std::string warned = TakeWarnings();
   if (model == nullptr || !warned.empty()) {
-    const std::string mend =
-        IsBinary(name) ? "Save it with MuJoCo " + std::string(mj_versionString()) + ", give its XML"
-                       : "Mend the model";
     throw InputError(name + ": MuJoCo cannot load it: " + DistinctLines(reason + "\n" + warned) +
-                     ". " + mend + " or make it anew with girdle generate");
+                     ". " + (IsBinary(name) ? "Give its XML" : "Mend the model") +
+                     " or make it anew with girdle generate");
   }
 }
 
@@ -110,10 +110,15 @@ void LoadPlugin(const std::string& path) {
 }
 
 ModelPointer LoadModel(const std::string& path) {
-  if (!std::filesystem::is_regular_file(path)) {
-    throw InputError(path +
-                     ": no such file. Make a model with girdle generate --out FOLDER and name its "
-                     "scene.xml");
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) {
+    throw InputError(
+        path +
+        (std::filesystem::exists(path, ignored) ? ": is not a regular file" : ": no such file") +
+        ". Make a model with girdle generate --out FOLDER and name its scene.xml");
+  }
+  if (IsBinary(path)) {
+    ExpectLoadable(path);
   }
   std::array<char, kErrorSize> error{};
   ModelPointer model(IsBinary(path) ? mj_loadModel(path.c_str(), nullptr)

@@ -41,7 +41,7 @@ class EngineWatch {
 };
 
 /// Loads the engine plugin as any user of MuJoCo does. Throws InputError if it cannot be loaded or
-/// is for another version.
+/// does not serve this MuJoCo.
 void LoadPlugin(const std::string& path);
 
 /// Loads a model from an MJCF file or a binary MJB file. Throws InputError with MuJoCo's reason.

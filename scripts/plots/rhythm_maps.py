@@ -111,7 +111,7 @@ def make_rotation(girdle: Girdle, quick: bool) -> Figure:
         "goes on by a rule, and how far from the border it is stands in the column distance_deg of "
         "girdle solve. Where nothing is drawn, the arm does not get.",
         "A map of upward rotation, some 5 to 60 degrees, which grows with elevation in all planes. "
-        "A black rectangle from elevation 15 to 120 and plane 0 to 90 marks what was measured.",
+        "A black rectangle from elevation 15 to 120 and plane 0 to 90 marks the table.",
         [table],
         girdle.take_commands(),
     )

@@ -46,7 +46,7 @@ def program() -> Path:
 
 @pytest.fixture(scope="session")
 def plugin_library() -> Path:
-    return path_from_environment("GIRDLE_PLUGIN", "the engine plugin for this MuJoCo")
+    return path_from_environment("GIRDLE_PLUGIN", "the engine plugin")
 
 
 @pytest.fixture(scope="session")

@@ -329,14 +329,6 @@ def test_a_scene_whose_model_is_gone_is_refused(
     refuses(*command, SCENE_FILE, because=(SCENE_FILE, MODEL_FILE, MAKE_ANEW))
 
 
-@every_verb
-def test_a_file_that_is_no_binary_model_is_refused(
-    refuses: Refuses, tmp_path: Path, command: tuple[str, ...]
-) -> None:
-    (tmp_path / "model.mjb").write_text("elevation_deg,plane_deg\n23,50\n")
-    refuses(*command, "model.mjb", because=("model.mjb: ", MAKE_ANEW))
-
-
 # --- Plugins -------------------------------------------------------------------------------------
 
 WITH_PLUGIN: dict[str, tuple[str, ...]] = {

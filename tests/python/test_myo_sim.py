@@ -277,7 +277,7 @@ def test_the_arm_of_the_readme_has_the_lines_of_the_program(girdle: Girdle, arm:
     )
     assert shown
     lines = [line for line in shown[1].splitlines() if line not in ("...", "")]
-    assert len(lines) > 20
+    assert len(lines) > 10
     for line in lines:
         assert line in printed, line
     assert lines[-1].startswith("As this arm is raised")
@@ -292,8 +292,8 @@ def test_a_model_that_another_mujoco_compiled_is_refused(
     if own_version == PEERS_VERSION:
         assert girdle(*command).code == 0
     else:
-        because = re.escape(f"Save it with MuJoCo {own_version}, give its XML")
-        refuses(*command, because=(re.escape(f"{arm.binary}: MuJoCo cannot load it: "), because))
+        because = f"another version of MuJoCo. Save it with MuJoCo {own_version}, give its XML"
+        refuses(*command, because=(re.escape(f"{arm.binary}: "), re.escape(because)))
 
 
 def test_a_misspelt_joint_of_myo_sim_is_named_with_those_that_are_near(

@@ -64,7 +64,7 @@ def same(value: object) -> object:
     return pytest.approx(value, rel=0, abs=OTHER_ENGINE_ROUNDING)
 
 
-# Up and down, across all planes, with a stretch outside the measured 15..120 and 0..90.
+# Up and down, across all planes, with a stretch outside the table, 15..120 and 0..90.
 MOTION = (
     # time_s, elevation_deg, plane_deg
     (0.0, 20.0, 5.0),

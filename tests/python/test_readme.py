@@ -6,7 +6,6 @@ from __future__ import annotations
 
 import json
 import math
-import os
 import re
 import shlex
 import shutil
@@ -20,9 +19,13 @@ ROOT = Path(__file__).resolve().parents[2]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 
 
-def blocks(language: str) -> list[str]:
-    found = re.findall(rf"```{language}\n(.*?)```", README, flags=re.DOTALL)
-    assert found, f"the README has no {language}"
+# What a reader types or saves, in its order: the language and the text of each block.
+BLOCKS: list[tuple[str, str]] = re.findall(r"```(sh|python|cpp)\n(.*?)```", README, flags=re.DOTALL)
+
+
+def block(language: str, word: str) -> str:
+    """The one block that has this word."""
+    (found,) = (text for kind, text in BLOCKS if kind == language and word in text)
     return found
 
 
@@ -44,11 +47,12 @@ def emitted_model(tmp_path_factory: pytest.TempPathFactory, program: Path) -> Pa
 
 
 @pytest.fixture
-def checkout(tmp_path: Path, plugin_library: Path, emitted_model: Path) -> Path:
+def checkout(tmp_path: Path, program: Path, plugin_library: Path, emitted_model: Path) -> Path:
     """A folder in which the README's paths lead to what is tested."""
     release = tmp_path / "build" / "release"
     release.mkdir(parents=True)
     (release / plugin_library.name).symlink_to(plugin_library)
+    (release / "girdle").symlink_to(program)
     (tmp_path / "build" / "engine").symlink_to(ROOT / "build" / "engine")
     for folder in ("data", "model"):
         (tmp_path / folder).symlink_to(ROOT / folder)
@@ -63,7 +67,7 @@ def numbers(text: str) -> list[float]:
 
 def test_the_python_of_the_readme_raises_the_arm(checkout: Path) -> None:
     upward_rotation, elevation, plane = numbers(
-        run(sys.executable, "-c", blocks("python")[0], folder=checkout)
+        run(sys.executable, "-c", block("python", "ac_upward_rotation_r"), folder=checkout)
     )
     assert upward_rotation < -0.2  # upward rotation is negative
     assert elevation == pytest.approx(1.57, abs=1e-6)
@@ -71,26 +75,26 @@ def test_the_python_of_the_readme_raises_the_arm(checkout: Path) -> None:
 
 
 def test_the_python_of_the_readme_attaches_the_shoulder(checkout: Path) -> None:
-    elevation, plane = numbers(run(sys.executable, "-c", blocks("python")[1], folder=checkout))
+    attach = block("python", '"her_"')
+    elevation, plane = numbers(run(sys.executable, "-c", attach, folder=checkout))
     assert elevation == pytest.approx(1.57, abs=1e-6)
     assert plane == pytest.approx(0, abs=1e-6)
 
 
 def test_the_python_of_the_readme_puts_two_shoulders_on_a_torso(checkout: Path) -> None:
-    right, left = numbers(run(sys.executable, "-c", blocks("python")[2], folder=checkout))
+    attach = block("python", "torso")
+    right, left = numbers(run(sys.executable, "-c", attach, folder=checkout))
     assert right == pytest.approx(1.57, abs=1e-6)
     assert left == pytest.approx(0.52, abs=1e-6)
 
 
-def run_shell(block: str, folder: Path, program: Path) -> None:
-    """With the program where a shell finds it under the name that people type."""
-    path = f"{program.parent}:{os.environ['PATH']}"
-    run("env", f"PATH={path}", "bash", "-ec", block, folder=folder)
+def run_shell(text: str, folder: Path) -> str:
+    """In a shell that has begun as the README says."""
+    return run("bash", "-ec", f"export PATH=$PWD/build/release:$PATH\n{text}", folder=folder)
 
 
-def test_the_readme_makes_every_kind_of_model(checkout: Path, program: Path) -> None:
-    (block,) = (text for text in blocks("sh") if "--assembly loop" in text)
-    run_shell(block, checkout, program)
+def test_the_readme_makes_every_kind_of_model(checkout: Path) -> None:
+    run_shell(block("sh", "--assembly loop"), checkout)
     models = sorted(path.name for path in (checkout / "my_model").glob("shoulder_*"))
     assert models == ["shoulder_both.xml", "shoulder_left_position.xml", "shoulder_right.xml"]
 
@@ -102,19 +106,18 @@ ARRIVED_DEG = 1.0
 def test_the_controls_of_the_readme_move_the_model_without_plugin(
     checkout: Path, program: Path
 ) -> None:
-    (block,) = (text for text in blocks("sh") if "--controls" in text)
-    run_shell(block, checkout, program)
-    (elevation_rad,) = numbers(run(sys.executable, "-c", blocks("python")[3], folder=checkout))
+    run_shell(block("sh", "--controls"), checkout)
+    play = block("python", "raise_controls.csv")
+    (elevation_rad,) = numbers(run(sys.executable, "-c", play, folder=checkout))
     target = run(program, "solve", "--elevation", "120", "--plane", "40", "--json", folder=checkout)
     elevation_deg = json.loads(target)["angles_deg"]["gh_elevation"]
     assert math.degrees(elevation_rad) == pytest.approx(elevation_deg, abs=ARRIVED_DEG)
 
 
 def test_the_c_plus_plus_of_the_readme_raises_the_arm(checkout: Path) -> None:
-    (checkout / "arm.cc").write_text(blocks("cpp")[0], encoding="utf-8")
-    build = next(text for text in blocks("sh") if "g++" in text)
-    run("bash", "-ec", build, folder=checkout)
-    assert re.fullmatch(r"-0\.2\d+ rad\n", run(checkout / "arm", folder=checkout))
+    (checkout / "arm.cc").write_text(block("cpp", "main"), encoding="utf-8")
+    printed = run("bash", "-ec", block("sh", "g++"), folder=checkout)
+    assert re.fullmatch(r"-0\.2\d+ rad\n", printed)
 
 
 def readme_commands() -> list[str]:
@@ -137,18 +140,39 @@ def test_the_readme_shows_every_verb() -> None:
 
 
 @pytest.mark.parametrize("line", readme_commands())
-def test_a_command_line_of_the_readme_works(line: str, checkout: Path, program: Path) -> None:
-    (checkout / "poses.csv").write_text("elevation_deg,plane_deg\n23,50\n", encoding="utf-8")
-    words = [word if word != "scene.xml" else "build/model/scene.xml" for word in shlex.split(line)]
-    run(program, *words[1:], folder=checkout)
+def test_a_command_line_of_the_readme_works(line: str, checkout: Path) -> None:
+    run_shell(block("sh", "poses.csv") + line, checkout)
 
 
-def test_the_sizes_of_the_readme_can_be_typed(checkout: Path, program: Path) -> None:
-    """One after the other: a model is verified where it was generated."""
-    lines = [line for text in blocks("sh") for line in text.splitlines() if line[:7] == "girdle "]
-    assert len(lines) > 3
-    for line in lines:
-        run(program, *shlex.split(line, comments=True)[1:], folder=checkout)
+# Lines that download, and Python that needs a screen or what one of these lines downloads.
+NOT_TYPED_HERE = (
+    "scripts/run",
+    "scripts/test",
+    "python3 -m venv .venv && . .venv/bin/activate",
+    "pip install mujoco",
+    "scripts/fetch_body",
+    "python3 -m venv .myo && .myo/bin/pip install myo-sim==0.2.4 mujoco==3.17.0",
+)
+NOT_RUN_HERE = ("launch_passive", "myo_sim")
+
+
+def test_the_readme_can_be_typed_from_top_to_bottom(checkout: Path) -> None:
+    """In one shell, in order: each line finds what the lines before it left."""
+    typed: list[str] = []
+    left_out: list[str] = []
+    for number, (language, text) in enumerate(BLOCKS):
+        if language == "sh":
+            for line in text.splitlines():
+                command = re.sub(r" +# .*", "", line)
+                (left_out if command in NOT_TYPED_HERE else typed).append(command)
+        elif language == "cpp":
+            (checkout / "arm.cc").write_text(text, encoding="utf-8")
+        elif not any(word in text for word in NOT_RUN_HERE):
+            (checkout / f"{number}.py").write_text(text, encoding="utf-8")
+            typed.append(f"{shlex.quote(sys.executable)} {number}.py")
+    assert tuple(left_out) == NOT_TYPED_HERE
+    assert len(typed) > 15
+    run("bash", "-ec", "\n".join(typed), folder=checkout)
 
 
 def test_the_report_of_the_readme_has_the_lines_of_the_program(
