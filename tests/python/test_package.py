@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+CMAKE = os.environ["GIRDLE_CMAKE"]
 CONSUMER = Path(__file__).resolve().parents[1] / "package"
 
 
@@ -22,13 +23,13 @@ def run(*command: str | Path) -> str:
 @pytest.fixture(scope="module")
 def prefix(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("installed")
-    run("cmake", "--install", os.environ["GIRDLE_BUILD_DIR"], "--prefix", folder)
+    run(CMAKE, "--install", os.environ["GIRDLE_BUILD_DIR"], "--prefix", folder)
     return folder
 
 
 def test_another_project_finds_and_uses_the_package(prefix: Path, tmp_path: Path) -> None:
-    run("cmake", "-S", CONSUMER, "-B", tmp_path, f"-DCMAKE_PREFIX_PATH={prefix}")
-    run("cmake", "--build", tmp_path)
+    run(CMAKE, "-S", CONSUMER, "-B", tmp_path, f"-DCMAKE_PREFIX_PATH={prefix}")
+    run(CMAKE, "--build", tmp_path)
     # SC protraction of the table's own row: plane 0, elevation 90.
     assert run(tmp_path / "consumer") == "-40.600000\n"
 
