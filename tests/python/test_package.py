@@ -5,6 +5,8 @@
 from __future__ import annotations
 
 import os
+import re
+import shutil
 import subprocess
 from pathlib import Path
 
@@ -40,6 +42,26 @@ def test_the_installed_program_finds_its_plugin_and_its_simulation(
     program = prefix / "bin" / "girdle"
     run(program, "generate", "--out", tmp_path)
     assert "all residuals within" in run(program, "verify", tmp_path / "scene.xml")
+
+
+def test_an_engine_that_has_moved_is_named_and_found_through_the_environment(
+    prefix: Path, tmp_path: Path
+) -> None:
+    installed = tmp_path / "installed"
+    shutil.copytree(prefix, installed)
+    (module,) = installed.rglob("libgirdle_simulation.so")
+    (engine_dir,) = re.findall(r"R(?:UN)?PATH.*\[(.*)\]", run("readelf", "-dW", module))
+    gone = "/gone".ljust(len(engine_dir), "_")
+    module.write_bytes(module.read_bytes().replace(engine_dir.encode(), gone.encode()))
+    program = installed / "bin" / "girdle"
+    assert "not loaded: cannot run MuJoCo" in run(program, "generate", "--out", tmp_path)
+    command = [program, "verify", tmp_path / "scene.xml"]
+    refused = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert refused.returncode == 2
+    assert re.search(r"libmujoco\.so\.\S+: cannot open shared object", refused.stderr)
+    assert f"built with the MuJoCo in {engine_dir}. " in refused.stderr
+    assert "set LD_LIBRARY_PATH to the folder" in refused.stderr
+    run("env", f"LD_LIBRARY_PATH={engine_dir}", *command)
 
 
 def test_the_installed_model_is_the_emitted_one(prefix: Path, tmp_path: Path) -> None:
