@@ -89,7 +89,8 @@ def test_a_build_copied_with_its_checkout_is_configured_afresh(checkout: Path, t
     second = run(copied / "scripts" / "configure", "release")
     assert second.returncode == 0, second.stderr
     assert f"build/release was made for the checkout in {checkout}: configuring it afresh" in second.stderr
-    assert f"CMAKE_HOME_DIRECTORY:INTERNAL={copied}\n" in (copied / "build/release/CMakeCache.txt").read_text()
+    cache = (copied / "build" / "release" / "CMakeCache.txt").read_text()
+    assert f"CMAKE_HOME_DIRECTORY:INTERNAL={copied}\n" in cache
     third = run(copied / "scripts" / "configure", "release")
     assert (third.returncode, third.stderr) == (0, "")
 
