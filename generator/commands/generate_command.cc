@@ -89,6 +89,22 @@ std::string ModelXml(const GenerateArguments& arguments, const Anatomy& anatomy,
   }
 }
 
+// What MuJoCo found in the model, or why it was not asked. Throws InputError if it does not accept
+// it.
+std::string CheckedByMujoco(const std::vector<std::pair<std::string, std::string>>& files,
+                            const std::string& plugin) {
+  if (!HasSimulation()) {
+    return "not loaded: this program was built without MuJoCo";
+  }
+  const SimulationModule* simulation = nullptr;
+  try {
+    simulation = &LoadSimulation();
+  } catch (const InputError& error) {
+    return std::string("not loaded: ") + error.what();
+  }
+  return simulation->check_model(files, plugin);
+}
+
 // Variants of one family have a place beside each other in a folder.
 struct FileNames {
   std::string model;
@@ -138,9 +154,7 @@ void Generate(const GenerateArguments& arguments) {
     files.emplace_back(names.landmarks, LandmarkFile(anatomy));
   }
   // What MuJoCo does not accept is not a model and is not written.
-  const std::string checked =
-      HasSimulation() ? LoadSimulation().check_model(files, ChosenPlugin(arguments.plugin))
-                      : "not loaded: this program was built without MuJoCo";
+  const std::string checked = CheckedByMujoco(files, ChosenPlugin(arguments.plugin));
   const std::filesystem::path folder(arguments.out);
   WriteFiles(folder, files);
   const std::string model = (folder / names.model).string();

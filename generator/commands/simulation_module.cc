@@ -72,8 +72,11 @@ const SimulationModule& LoadSimulation() {
   }
   void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr) {
-    throw InputError("cannot run MuJoCo: " + std::string(dlerror()) +
-                     ". Run scripts/setup and build again, or set MUJOCO_ROOT");
+    throw InputError(
+        "cannot run MuJoCo: " + std::string(dlerror()) +
+        ". Girdle was built with the MuJoCo in " GIRDLE_ENGINE_DIR
+        ". If that has moved, set LD_LIBRARY_PATH to the folder where it is now; if it "
+        "is gone, build and install Girdle again");
   }
   const auto module =
       reinterpret_cast<SimulationModuleFunction>(dlsym(library, kSimulationModuleSymbol));

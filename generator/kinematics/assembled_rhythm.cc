@@ -4,6 +4,7 @@
 #include "kinematics/assembled_rhythm.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/gtc/quaternion.hpp>
 #include <limits>
 #include <stdexcept>
@@ -148,13 +149,17 @@ ShoulderPose AssembledRhythm::SolvePose(const ArmCommand& command,
     less.protraction_rad = share * answered.protraction_rad;
     pose = Corrected(less, answered);
   }
-  // GH's last hinge turns about the humerus itself.
-  const double axial_rad = AnglesFromPose(pose)[kGhAxialIndex];
+  // GH's last hinge turns about the humerus itself. Past its range the turn is taken back, all of
+  // it at most; a hinge that the rhythm has put at an end is there but for rounding.
+  const double hinge_rad = AnglesFromPose(pose)[kGhAxialIndex];
   const CoordinateRange& range = rhythm_.ranges()[kGhAxialIndex];
-  const double excess_rad = axial_rad - std::clamp(axial_rad, range.lower_rad, range.upper_rad);
-  if (excess_rad != 0 && answered.axial_rad != 0) {
-    pose.q_SH = pose.q_SH * Exp({0, -excess_rad, 0});
-    answered.axial_rad -= excess_rad;
+  const double excess_rad = hinge_rad - std::clamp(hinge_rad, range.lower_rad, range.upper_rad);
+  const double taken_back_rad =
+      std::clamp(excess_rad, std::min(answered.axial_rad, 0.0), std::max(answered.axial_rad, 0.0));
+  constexpr double kRounding_rad = 1e-12;
+  if (std::abs(taken_back_rad) > kRounding_rad) {
+    pose.q_SH = pose.q_SH * Exp({0, -taken_back_rad, 0});
+    answered.axial_rad -= taken_back_rad;
   }
   if (used != nullptr) {
     *used = answered;

@@ -152,8 +152,9 @@ def draw_corner(axes: Axes, paths: Paths) -> None:
     axes.plot(knot[2], knot[0], "o", color=GREY, markersize=5)
     low, high = path.p_mm[near].min(axis=0), path.p_mm[near].max(axis=0)
     axes.set_aspect("equal", adjustable="datalim")
-    axes.set_xlim(low[2], high[2])
-    axes.set_ylim(low[0], high[0])
+    # The aspect moves these limits, which newer versions of matplotlib warn of if they are fixed.
+    axes.set_xlim(low[2], high[2], auto=True)
+    axes.set_ylim(low[0], high[0], auto=True)
 
 
 def draw_speed(axes: Axes, paths: Paths) -> None:

@@ -241,9 +241,7 @@ class RoundReporter : public benchmark::BenchmarkReporter {
   bool ReportContext(const Context& /*context*/) override { return true; }
   void ReportRuns(const std::vector<Run>& runs) override {
     for (const Run& run : runs) {
-      if (!run.error_occurred) {
-        times_ns_[run.run_name.function_name].push_back(run.GetAdjustedCPUTime());
-      }
+      times_ns_[run.run_name.function_name].push_back(run.GetAdjustedCPUTime());
     }
   }
 

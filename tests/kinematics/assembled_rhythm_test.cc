@@ -121,14 +121,41 @@ RC_GTEST_PROP(TreeRhythm, IsThePlainOneToTheLastBit, ()) {
   RC_ASSERT(tree.SolveAngles(command) == AnglesFromPose(tree.rhythm().SolvePose(command)));
 }
 
-RC_GTEST_PROP(LoopRhythm, AnswersTheCommandThatThePlainOneDoes, ()) {
+// GH's last hinge, which has another angle in a loop, may reach its end before the plain one's
+// does.
+RC_GTEST_PROP(LoopRhythm, AnswersTheCommandThatThePlainOneDoesButForABoundedAxialTurn, ()) {
   const ArmCommand command = *AnyCommand();
   ArmCommand used;
   ArmCommand plain_used;
   const ShoulderPose pose = Loop().SolvePose(command, &used);
   static_cast<void>(Loop().rhythm().SolvePose(command, &plain_used));
-  RC_ASSERT(used == plain_used);
   RC_ASSERT(SameBits(pose, Loop().SolvePose(command)));
+  const double axial_rad = used.axial_rad;
+  used.axial_rad = plain_used.axial_rad;
+  RC_ASSERT(used == plain_used);
+  if (axial_rad != plain_used.axial_rad) {
+    RC_ASSERT(std::abs(axial_rad) < std::abs(plain_used.axial_rad));
+    RC_ASSERT(axial_rad * plain_used.axial_rad >= 0);
+    const JointAngles angles_rad = AnglesFromPose(pose);
+    const CoordinateRange& range = Loop().rhythm().ranges()[kGhAxialIndex];
+    const double end_rad = plain_used.axial_rad > 0 ? range.upper_rad : range.lower_rad;
+    // Rounding turns the last hinge the more the closer the second is to 90 degrees.
+    RC_ASSERT(std::abs((angles_rad[kGhAxialIndex] - end_rad) *
+                       std::cos(angles_rad[kGhAxialIndex - 1])) < kRounding_rad);
+  }
+}
+
+// As the plain one does: what is past the end of its range by itself stays there.
+RC_GTEST_PROP(LoopRhythm, TurnsTheHumerusNeitherFurtherNorTheOtherWayThanItIsTold, ()) {
+  JointRanges ranges = ShippedJointRanges();
+  ranges[kGhAxialIndex] = {RadiansFromDegrees(-70), RadiansFromDegrees(-40)};
+  static const AssembledRhythm kLoop(ShoulderRhythm(TableWithScapula(), {}, ranges),
+                                     Assembly::kLoop);
+  const ArmCommand command = *AnyCommand();
+  ArmCommand used;
+  static_cast<void>(kLoop.SolvePose(command, &used));
+  RC_ASSERT(std::abs(used.axial_rad) <= std::abs(command.axial_rad));
+  RC_ASSERT(used.axial_rad * command.axial_rad >= 0);
 }
 
 RC_GTEST_PROP(LoopRhythm, OfAClampedRangeIsWhereItsNearestPointIs, ()) {
@@ -150,8 +177,12 @@ RC_GTEST_PROP(LoopRhythm, OfClosureExactPointsTheHumerusWhereItIsTold, ()) {
                        -std::cos(used.elevation_rad),
                        std::sin(used.elevation_rad) * std::cos(used.plane_rad)};
   RC_ASSERT(glm::distance(arm, wanted) < kRounding_rad);
-  // And turned about its long axis as without the loop.
-  RC_ASSERT(AngleBetween(pose.q_TH(), Loop().rhythm().SolvePose(command).q_TH()) < kRounding_rad);
+  // And turned about its long axis as without the loop, but for what GH's last hinge has no room
+  // for.
+  ArmCommand plain_used;
+  const Quaternion plain_q_TH = Loop().rhythm().SolvePose(command, &plain_used).q_TH();
+  const Quaternion turn = Exp({0, plain_used.axial_rad - used.axial_rad, 0});
+  RC_ASSERT(AngleBetween(pose.q_TH() * turn, plain_q_TH) < kRounding_rad);
 }
 
 RC_GTEST_PROP(LoopRhythm, LeavesTheClavicleWhereThePlainOneHasIt, ()) {

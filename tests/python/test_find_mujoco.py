@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 
+CMAKE = os.environ["GIRDLE_CMAKE"]
 ROOT = Path(__file__).resolve().parents[2]
 TOP = (ROOT / "CMakeLists.txt").read_text(encoding="utf-8")
 TIMEOUT_S = 60
@@ -43,7 +44,7 @@ def configure(folder: Path, **environment: str) -> subprocess.CompletedProcess[s
     (folder / "CMakeLists.txt").write_text(PROJECT)
     kept = {name: value for name, value in os.environ.items() if name != "MUJOCO_ROOT"}
     return subprocess.run(
-        ["cmake", "-G", "Ninja", "-S", folder, "-B", folder / "build"],
+        [CMAKE, "-S", folder, "-B", folder / "build"],
         capture_output=True,
         text=True,
         timeout=TIMEOUT_S,

@@ -5,11 +5,14 @@
 from __future__ import annotations
 
 import os
+import re
+import shutil
 import subprocess
 from pathlib import Path
 
 import pytest
 
+CMAKE = os.environ["GIRDLE_CMAKE"]
 CONSUMER = Path(__file__).resolve().parents[1] / "package"
 
 
@@ -22,13 +25,13 @@ def run(*command: str | Path) -> str:
 @pytest.fixture(scope="module")
 def prefix(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("installed")
-    run("cmake", "--install", os.environ["GIRDLE_BUILD_DIR"], "--prefix", folder)
+    run(CMAKE, "--install", os.environ["GIRDLE_BUILD_DIR"], "--prefix", folder)
     return folder
 
 
 def test_another_project_finds_and_uses_the_package(prefix: Path, tmp_path: Path) -> None:
-    run("cmake", "-S", CONSUMER, "-B", tmp_path, f"-DCMAKE_PREFIX_PATH={prefix}")
-    run("cmake", "--build", tmp_path)
+    run(CMAKE, "-S", CONSUMER, "-B", tmp_path, f"-DCMAKE_PREFIX_PATH={prefix}")
+    run(CMAKE, "--build", tmp_path)
     # SC protraction of the table's own row: plane 0, elevation 90.
     assert run(tmp_path / "consumer") == "-40.600000\n"
 
@@ -39,6 +42,26 @@ def test_the_installed_program_finds_its_plugin_and_its_simulation(
     program = prefix / "bin" / "girdle"
     run(program, "generate", "--out", tmp_path)
     assert "all residuals within" in run(program, "verify", tmp_path / "scene.xml")
+
+
+def test_an_engine_that_has_moved_is_named_and_found_through_the_environment(
+    prefix: Path, tmp_path: Path
+) -> None:
+    installed = tmp_path / "installed"
+    shutil.copytree(prefix, installed)
+    (module,) = installed.rglob("libgirdle_simulation.so")
+    (engine_dir,) = re.findall(r"R(?:UN)?PATH.*\[(.*)\]", run("readelf", "-dW", module))
+    gone = "/gone".ljust(len(engine_dir), "_")
+    module.write_bytes(module.read_bytes().replace(engine_dir.encode(), gone.encode()))
+    program = installed / "bin" / "girdle"
+    assert "not loaded: cannot run MuJoCo" in run(program, "generate", "--out", tmp_path)
+    command = [program, "verify", tmp_path / "scene.xml"]
+    refused = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert refused.returncode == 2
+    assert re.search(r"libmujoco\.so\.\S+: cannot open shared object", refused.stderr)
+    assert f"built with the MuJoCo in {engine_dir}. " in refused.stderr
+    assert "set LD_LIBRARY_PATH to the folder" in refused.stderr
+    run("env", f"LD_LIBRARY_PATH={engine_dir}", *command)
 
 
 def test_the_installed_model_is_the_emitted_one(prefix: Path, tmp_path: Path) -> None:

@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "simulation/named_elements.h"
@@ -141,14 +142,14 @@ class SurveyGirdleTest : public EngineTest {
     return value.value_or(std::nan(""));
   }
 
-  static const Residual& Line(const ScapulothoracicSurvey& survey, const std::string& group,
-                              const std::string& item) {
+  static const Residual& Line(const ScapulothoracicSurvey& survey, std::string_view group,
+                              std::string_view item) {
     const auto& lines = survey.report.residuals;
     const auto found = std::find_if(lines.begin(), lines.end(), [&](const Residual& line) {
       return line.group == group && line.item == item;
     });
     if (found == lines.end()) {
-      throw std::logic_error("no line " + group + ", " + item);
+      throw std::logic_error("no line " + std::string(group) + ", " + std::string(item));
     }
     return *found;
   }

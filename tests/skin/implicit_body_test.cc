@@ -111,7 +111,8 @@ TEST(ImplicitBody, OfTheLeftIsTheMirrorImageOfThatOfTheRight) {
 
 TEST(ImplicitBody, HasAnArmOfEachSideThatIsAskedFor) {
   for (const Side own : kBoth) {
-    const PosedBody& body = AdultBody({own});
+    const std::vector<Side> sides = {own};
+    const PosedBody& body = AdultBody(sides);
     const SurfaceDepth surface(body.surface);
     for (const Side side : kBoth) {
       const auto place_m = [&](Segment segment, const Vector3& point_m) {

@@ -1,0 +1,135 @@
+# SPDX-FileCopyrightText: 2026 The Girdle authors
+# SPDX-License-Identifier: Apache-2.0
+"""What the scripts say where a machine or a checkout is not as they expect it."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
+TIMEOUT_S = 60
+
+PRESETS = """{"version": 6, "configurePresets": [
+  {"name": "release", "generator": "Ninja", "binaryDir": "${sourceDir}/build/release"}]}"""
+
+# Takes every command for good, as far as scripts/setup looks.
+PYTHON = """#!/bin/sh
+case "$*" in
+  "-m venv "*) mkdir -p "$3/bin" && cp "$0" "$3/bin/python" && cp "${0%/*}/npm" "$3/bin" ;;
+  *" --target "*) for folder; do :; done; mkdir -p "$folder" ;;
+esac
+"""
+
+
+def run(*command: str | Path, path: Path | None = None, **more: str) -> subprocess.CompletedProcess[str]:
+    """Runs a command with `path` first in PATH."""
+    environment = {**os.environ, **more}
+    if path is not None:
+        environment["PATH"] = f"{path}:{environment['PATH']}"
+    return subprocess.run(
+        command, capture_output=True, text=True, timeout=TIMEOUT_S, check=False, env=environment
+    )
+
+
+def write_program(file: Path, text: str) -> None:
+    file.parent.mkdir(exist_ok=True)
+    file.write_text(text)
+    file.chmod(0o755)
+
+
+@pytest.fixture
+def checkout(tmp_path: Path) -> Path:
+    """A checkout with nothing to build."""
+    folder = tmp_path / "checkout"
+    shutil.copytree(SCRIPTS, folder / "scripts")
+    (folder / "CMakeLists.txt").write_text(
+        "cmake_minimum_required(VERSION 3.25...3.31)\nproject(Nothing LANGUAGES NONE)\n"
+    )
+    (folder / "CMakePresets.json").write_text(PRESETS)
+    return folder
+
+
+@pytest.fixture
+def old_cmake(tmp_path: Path) -> Path:
+    """A folder with a cmake that is too old."""
+    write_program(tmp_path / "old" / "cmake", "#!/bin/sh\necho cmake version 3.22.1\n")
+    return tmp_path / "old"
+
+
+def test_an_old_cmake_is_passed_over_and_named(checkout: Path, old_cmake: Path) -> None:
+    finished = run(checkout / "scripts" / "configure", path=old_cmake)
+    assert finished.returncode == 0, finished.stderr
+    assert f"{old_cmake}/cmake is CMake 3.22.1, and 3.25 or newer is needed" in finished.stderr
+    taken = finished.stdout.strip()
+    assert f"taking {taken} (" in finished.stderr
+    assert Path(taken).is_file()
+    assert Path(taken).parent != old_cmake
+
+
+def test_setup_without_a_new_enough_cmake_is_refused(checkout: Path, old_cmake: Path) -> None:
+    top = checkout / "CMakeLists.txt"
+    top.write_text(top.read_text().replace("3.25...3.31", "99.1...99.2"))
+    finished = run(checkout / "scripts" / "setup", path=old_cmake, GIRDLE_SKIP_PACKAGES="1")
+    assert finished.returncode == 2
+    assert f"{old_cmake}/cmake is CMake 3.22.1, and 99.1 or newer is needed" in finished.stderr
+    assert "pip install 'cmake>=99.1'" in finished.stderr
+    assert not (checkout / "build").exists()
+
+
+def test_a_build_copied_with_its_checkout_is_configured_afresh(checkout: Path, tmp_path: Path) -> None:
+    first = run(checkout / "scripts" / "configure", "release")
+    assert (first.returncode, first.stderr) == (0, "")
+    copied = tmp_path / "copied"
+    shutil.copytree(checkout, copied)
+    second = run(copied / "scripts" / "configure", "release")
+    assert second.returncode == 0, second.stderr
+    assert f"build/release was made for the checkout in {checkout}: configuring it afresh" in second.stderr
+    cache = (copied / "build" / "release" / "CMakeCache.txt").read_text()
+    assert f"CMAKE_HOME_DIRECTORY:INTERNAL={copied}\n" in cache
+    third = run(copied / "scripts" / "configure", "release")
+    assert (third.returncode, third.stderr) == (0, "")
+
+
+@pytest.mark.parametrize(
+    ("code", "is_about_certificates"),
+    [("SELF_SIGNED_CERT_IN_CHAIN", True), ("UNABLE_TO_VERIFY_LEAF_SIGNATURE", True), ("ENOTFOUND", False)],
+)
+def test_a_certificate_that_node_does_not_trust_is_named(
+    checkout: Path, tmp_path: Path, code: str, is_about_certificates: bool
+) -> None:
+    programs = tmp_path / "programs"
+    write_program(programs / "python3", PYTHON)
+    write_program(programs / "npm", f"#!/bin/sh\necho npm error code {code} >&2\nexit 1\n")
+    finished = run(
+        checkout / "scripts" / "setup",
+        "--python",
+        path=programs,
+        GIRDLE_SKIP_PACKAGES="1",
+        MUJOCO_ROOT=str(tmp_path),
+    )
+    assert finished.returncode == 1
+    assert f"npm error code {code}" in finished.stderr
+    assert ("NODE_EXTRA_CA_CERTS" in finished.stderr) == is_about_certificates
+    assert not (checkout / "build" / "node" / ".stamp").exists()
+
+
+@pytest.mark.parametrize("script", ["configure", "figures", "fresh", "run", "seeds", "setup", "test"])
+def test_help_is_all_that_help_does(checkout: Path, script: str) -> None:
+    finished = run(checkout / "scripts" / script, "--help")
+    assert (finished.returncode, finished.stderr) == (0, "")
+    assert finished.stdout.startswith(f"Usage: scripts/{script}")
+    assert not (checkout / "build").exists()
+
+
+@pytest.mark.parametrize("script", ["configure", "figures", "fresh", "run", "seeds", "setup"])
+def test_an_unknown_argument_is_refused_before_anything_is_done(checkout: Path, script: str) -> None:
+    finished = run(checkout / "scripts" / script, "--unknown")
+    assert finished.returncode == 2
+    assert "--unknown" in finished.stderr.splitlines()[-1]
+    assert finished.stdout == ""
+    assert not (checkout / "build").exists()
