@@ -122,7 +122,7 @@ mjPLUGIN_LIB_INIT(girdle_rhythm) {
 }  // namespace
 }  // namespace girdle
 
-// Named by kEngineVersionSymbol.
-extern "C" __attribute__((visibility("default"))) int girdle_rhythm_engine_version() {
-  return GIRDLE_ENGINE_VERSION;
+// Named by kPluginVersionSymbol.
+extern "C" __attribute__((visibility("default"))) const char* girdle_rhythm_version() {
+  return GIRDLE_VERSION;
 }

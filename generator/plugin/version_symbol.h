@@ -6,8 +6,8 @@
 
 namespace girdle {
 
-/// Name of a C function without arguments that returns, as an int in the form of mj_version, the
-/// version of MuJoCo that the plugin is built for. It answers in a process without MuJoCo too.
-inline constexpr const char* kEngineVersionSymbol = "girdle_rhythm_engine_version";
+/// Name of a C function without arguments that returns, as a `const char*`, the version of Girdle
+/// that the plugin belongs to: "0.1.0". It answers in a process without MuJoCo too.
+inline constexpr const char* kPluginVersionSymbol = "girdle_rhythm_version";
 
 }  // namespace girdle
