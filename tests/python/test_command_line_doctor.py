@@ -6,7 +6,6 @@ from __future__ import annotations
 
 import json
 import os
-import re
 import shutil
 import subprocess
 import sys
@@ -18,13 +17,10 @@ from typing import Any
 
 import mujoco
 import pytest
-from conftest import PROGRAM_TIMEOUT_S, Girdle, Refuses, contents, expect_one_message
+from conftest import PROGRAM_TIMEOUT_S, Girdle, Refuses, contents, expect_one_message, installed
 
 # A version that never was: found nowhere else on the machine.
 ODD = "3.2.1"
-
-# Runs wherever the doctor looks at it, and says so.
-CONFESSION = "raise SystemExit('a file of the current folder was executed')\n"
 
 
 def compile_library(path: Path, code: str) -> Path:
@@ -181,21 +177,6 @@ def test_the_report_for_people_says_the_same(
     assert lines[0] == f"MuJoCo {version}  works"
     assert f"  library     {engine}" in lines
     assert lines[-1] == "MuJoCo works with the plugin: 1 of 1 found"
-
-
-def test_the_report_says_what_mends_a_plugin_that_is_not_found(
-    girdle: Girdle, program: Path, plugin_library: Path, engine: Path, model_path: Path
-) -> None:
-    """The line for Python does; the sentence before it has the words that MuJoCo says."""
-    text = girdle("doctor", "--only", "--engine", engine).text
-    (line,) = re.findall(r"^  Python +(.*)$", text, re.MULTILINE)
-    model = f"mujoco.MjModel.from_xml_path({str(model_path)!r})"
-    command = [sys.executable, "-c"]
-    without = subprocess.run([*command, f"import mujoco; {model}"], capture_output=True, text=True)
-    (words,) = re.findall(r"plugin girdle[.]rhythm not found", without.stderr)
-    assert f'"{words}" means' in text
-    subprocess.run([*command, f"import mujoco; {line}; {model}"], check=True)
-    assert f"  type        {program} doctor --install\n" in text
 
 
 # --- What does not work ---------------------------------------------------------------------------
@@ -421,13 +402,15 @@ def test_a_python_below_a_relative_entry_of_the_path_is_not_run(
     assert not [note for note in report.content["notes"] if "python3" in note]
 
 
-@pytest.mark.parametrize("variables", [{}, {"PYTHONPATH": "."}, {"PYTHONPATH": ""}])
+@pytest.mark.parametrize("is_on_path", [False, True])
 def test_a_python_reads_no_module_of_the_current_folder(
-    doctor: Doctor, tmp_path: Path, variables: dict[str, str]
+    doctor: Doctor, tmp_path: Path, is_on_path: bool
 ) -> None:
+    """Not even where PYTHONPATH names the folder."""
     for name in ("contextlib", "importlib", "site", "mujoco", "sitecustomize"):
-        (tmp_path / f"{name}.py").write_text(f"open('{tmp_path}/marker', 'w')\n" + CONFESSION)
+        (tmp_path / f"{name}.py").write_text(f"open('{tmp_path}/marker', 'w')\n")
     python = Path(sys.executable)
+    variables = {"PYTHONPATH": str(tmp_path)} if is_on_path else {}
     report = doctor(PATH=f"{python.parent}:{os.environ['PATH']}", **variables)
     assert not (tmp_path / "marker").exists()
     mujoco_folder = str(Path(mujoco.__file__).parent)
@@ -499,53 +482,6 @@ def test_a_library_that_is_hostile_harms_no_other(
 # --- Installing the plugin ------------------------------------------------------------------------
 
 
-@pytest.fixture
-def package(tmp_path: Path) -> Path:
-    """Python's package mujoco with a folder of plugins of its own; all else are links."""
-    real = Path(mujoco.__file__).parent
-    copy = tmp_path / "packages" / "mujoco"
-    copy.mkdir(parents=True)
-    for each in real.iterdir():
-        if each.name != "plugin":
-            (copy / each.name).symlink_to(each)
-    shutil.copytree(real / "plugin", copy / "plugin")
-    return copy
-
-
-def installed(package: Path) -> Path:
-    return package / "plugin" / "libgirdle_rhythm.so"
-
-
-def test_the_installed_plugin_is_loaded_by_import_alone_in_spawned_workers_too(
-    girdle_fine: Girdle, package: Path, plugin_library: Path, model_path: Path, tmp_path: Path
-) -> None:
-    script = tmp_path / "script.py"
-    script.write_text(
-        "import multiprocessing, mujoco, sys\n"
-        "def steps(path):\n"
-        "    model = mujoco.MjModel.from_xml_path(path)\n"
-        "    data = mujoco.MjData(model)\n"
-        "    mujoco.mj_step(model, data)\n"
-        "    return mujoco.__file__, data.time\n"
-        "if __name__ == '__main__':\n"
-        "    with multiprocessing.get_context('spawn').Pool(1) as pool:\n"
-        "        file, time = pool.apply(steps, [sys.argv[1]])\n"
-        "    print(file, time > 0, steps(sys.argv[1])[1] == time)\n"
-    )
-    text = girdle_fine("doctor", "--install", "--engine", package).text
-    assert text.startswith(f"wrote {installed(package)}\nMuJoCo {mujoco.__version__} works with it")
-    assert installed(package).read_bytes() == plugin_library.read_bytes()
-    assert installed(package).stat().st_mode & 0o777 == 0o644
-    finished = subprocess.run(
-        [sys.executable, script, model_path],
-        env={**os.environ, "PYTHONPATH": str(package.parent)},
-        capture_output=True,
-        text=True,
-        check=True,
-    )
-    assert finished.stdout.split() == [str(package / "__init__.py"), "True", "True"]
-
-
 def test_it_installs_for_the_first_python_on_the_path(
     program: Path, package: Path, tmp_path: Path
 ) -> None:
@@ -602,6 +538,15 @@ def test_where_only_the_installed_plugin_works_that_is_said(
     (found,) = report.content["engines"]
     assert found["works"]
     assert found["problem"].endswith("not with this one: there is no plugin to try it with")
+
+
+def test_what_it_installs_is_the_plugin_and_can_be_read_by_all(
+    girdle_fine: Girdle, package: Path, plugin_library: Path
+) -> None:
+    text = girdle_fine("doctor", "--install", "--engine", package).text
+    assert text.startswith(f"wrote {installed(package)}\nMuJoCo {mujoco.__version__} works with it")
+    assert installed(package).read_bytes() == plugin_library.read_bytes()
+    assert installed(package).stat().st_mode & 0o777 == 0o644
 
 
 def test_uninstalling_leaves_the_package_as_it_was(girdle_fine: Girdle, package: Path) -> None:
