@@ -51,7 +51,7 @@ fs::path Checkout() {
 
 // Empty if the program has none.
 fs::path Plugin(const DoctorArguments& arguments) {
-  const fs::path plugin = fs::absolute(ChosenPlugin(arguments.plugin));
+  fs::path plugin = fs::absolute(ChosenPlugin(arguments.plugin));
   if (std::error_code error; fs::is_regular_file(plugin, error)) {
     return plugin;
   }

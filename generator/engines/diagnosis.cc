@@ -118,7 +118,7 @@ bool SameBytes(const std::filesystem::path& a, const std::filesystem::path& b) {
 }
 
 std::string ShellWord(const std::filesystem::path& path) {
-  const std::string text = path.string();
+  std::string text = path.string();
   if (text.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789"
                              "/._-+=:,@%") == std::string::npos) {
     return text;
