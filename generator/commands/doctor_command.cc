@@ -3,7 +3,11 @@
 
 #include "commands/doctor_command.h"
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -28,34 +32,42 @@ namespace fs = std::filesystem;
 
 struct DoctorArguments {
   std::vector<std::string> engines;
-  std::vector<std::string> plugins;
+  std::string plugin;
   bool only = false;
   bool json = false;
+  bool install = false;
+  bool uninstall = false;
 };
 
 // The folder of Girdle's sources that the program lies in, as scripts/run leaves it.
-fs::path Checkout(const fs::path& program_folder) {
+fs::path Checkout() {
   std::error_code error;
-  const fs::path folder = program_folder.parent_path().parent_path();
+  const fs::path folder = ProgramFolder().parent_path().parent_path();
   return fs::exists(folder / "scripts" / "setup", error) &&
                  fs::exists(folder / "generator" / "plugin", error)
              ? folder
              : fs::path();
 }
 
-// Whether nothing was found by what bears this name.
-bool FoundNothing(const std::vector<FoundFile>& engines, const std::string& name) {
-  return std::none_of(engines.begin(), engines.end(), [&](const FoundFile& engine) {
-    return std::find(engine.found_by.begin(), engine.found_by.end(), name) != engine.found_by.end();
-  });
+// Empty if the program has none.
+fs::path Plugin(const DoctorArguments& arguments) {
+  fs::path plugin = fs::absolute(ChosenPlugin(arguments.plugin));
+  if (std::error_code error; fs::is_regular_file(plugin, error)) {
+    return plugin;
+  }
+  if (!arguments.plugin.empty()) {
+    throw InputError("--plugin " + arguments.plugin + ": no such plugin. Name libgirdle_rhythm.so");
+  }
+  return {};
 }
 
-Diagnosis Examine(const DoctorArguments& arguments) {
-  const fs::path program_folder = ProgramFolder();
+std::string InstallLine(const DoctorArguments& arguments) {
+  return ShellWord(ProgramFolder() / "girdle") + " doctor --install" +
+         (arguments.plugin.empty() ? "" : " --plugin " + ShellWord(Plugin(arguments)));
+}
+
+std::vector<Place> NamedPlaces(const DoctorArguments& arguments) {
   std::vector<Place> places;
-  if (arguments.only && arguments.engines.empty()) {
-    throw InputError("--only: without --engine there is nothing to look at. Name one");
-  }
   for (const std::string& engine : arguments.engines) {
     if (std::error_code error; !fs::exists(engine, error)) {
       throw InputError("--engine " + engine +
@@ -63,53 +75,136 @@ Diagnosis Examine(const DoctorArguments& arguments) {
     }
     places.push_back({engine, "--engine " + engine});
   }
-  std::vector<fs::path> given_plugins;
-  for (const std::string& plugin : arguments.plugins) {
-    if (std::error_code error; !fs::is_regular_file(plugin, error)) {
-      throw InputError("--plugin " + plugin + ": no such plugin. Name libgirdle_rhythm.so");
-    }
-    given_plugins.push_back(fs::absolute(plugin));
-  }
+  return places;
+}
 
+std::string Model() { return ShoulderModelXml(BuiltInAnatomy(), BuiltInRhythm({}), {}); }
+
+Diagnosis Examine(const DoctorArguments& arguments) {
+  if (arguments.only && arguments.engines.empty()) {
+    throw InputError("--only: without --engine there is nothing to look at. Name one");
+  }
+  std::vector<Place> places = NamedPlaces(arguments);
+  const fs::path plugin = Plugin(arguments);
+  const fs::path checkout = Checkout();
   std::vector<std::string> notes;
   if (!arguments.only) {
     if (HasSimulation()) {
-      std::string problem;
-      const fs::path engine = EngineOfModule(SimulationFile(), problem);
-      if (!engine.empty()) {
-        places.push_back({engine, "this program"});
+      const Trial opened = OpenModule(SimulationFile());
+      if (opened.problem.empty()) {
+        places.push_back({opened.answer, "this program"});
       } else {
-        notes.push_back("this program cannot run MuJoCo: " + problem);
+        notes.push_back("this program cannot run MuJoCo: " + opened.problem);
       }
     }
-    std::vector<Place> of_machine = EnginePlaces(program_folder);
+    std::vector<Place> of_machine = EnginePlaces(checkout, notes);
     std::move(of_machine.begin(), of_machine.end(), std::back_inserter(places));
   }
-  const std::vector<FoundFile> engines = FindEngines(places);
   for (const Place& place : places) {
     if ((place.name == "MUJOCO_ROOT" || place.name.starts_with("--engine")) &&
-        FoundNothing(engines, place.name)) {
+        FindEngines({place}).empty()) {
       notes.push_back(place.name + ": " + place.path.string() + " holds no libmujoco.so");
     }
   }
-
-  std::vector<fs::path> plugins = given_plugins;
-  for (const fs::path& plugin : FindPlugins(program_folder, GIRDLE_MODULE_DIR, engines)) {
-    const bool is_given =
-        std::any_of(given_plugins.begin(), given_plugins.end(), [&](const fs::path& given) {
-          std::error_code error;
-          return fs::equivalent(given, plugin, error);
-        });
-    if (!is_given) {
-      plugins.push_back(plugin);
-    }
-  }
-  Diagnosis diagnosis =
-      Diagnose(engines, plugins, ShoulderModelXml(BuiltInAnatomy(), BuiltInRhythm({}), {}),
-               Checkout(program_folder));
+  const std::vector<FoundEngine> engines = FindEngines(places);
+  Diagnosis diagnosis = Diagnose(engines, plugin, Model(), InstallLine(arguments));
   diagnosis.notes = std::move(notes);
+  if (engines.empty()) {
+    diagnosis.fix = checkout.empty() ? "python3 -m venv .venv && . .venv/bin/activate && pip "
+                                       "install mujoco"
+                                     : ShellWord(checkout / "scripts" / "setup");
+  }
   DiagnosePictures(diagnosis);
   return diagnosis;
+}
+
+// The folder of Python's package mujoco that --install and --uninstall mean.
+fs::path ChosenPackage(const DoctorArguments& arguments) {
+  if (!arguments.engines.empty()) {
+    const std::vector<FoundEngine> engines = FindEngines(NamedPlaces(arguments));
+    if (engines.size() != 1) {
+      throw InputError("--engine " + arguments.engines.front() + ": " +
+                       std::to_string(engines.size()) +
+                       " libraries of MuJoCo found there, expected one. Name the folder of "
+                       "Python's package, such as .venv/lib/python3.11/site-packages/mujoco");
+    }
+    return engines.front().folder;
+  }
+  const std::vector<fs::path> pythons = PythonsOnPath();
+  if (pythons.empty()) {
+    throw InputError("no python3 on PATH. Name the folder of its package mujoco with --engine");
+  }
+  std::string problem;
+  fs::path package = PackageOf(pythons.front(), problem);
+  if (package.empty()) {
+    throw InputError(pythons.front().string() +
+                     (problem.empty() ? " has no package mujoco. Type: " +
+                                            ShellWord(pythons.front()) + " -m pip install mujoco"
+                                      : ", asked for its package mujoco, " + problem +
+                                            ". Name the package's folder with --engine"));
+  }
+  return package;
+}
+
+void Install(const DoctorArguments& arguments) {
+  const fs::path package = ChosenPackage(arguments);
+  const fs::path plugin = Plugin(arguments);
+  const std::vector<FoundEngine> engines = FindEngines({{package, ""}});
+  std::error_code error;
+  if (engines.size() != 1 || !fs::exists(package / "__init__.py", error)) {
+    throw InputError(package.string() +
+                     ": is not Python's package mujoco. Make it with pip install mujoco; in other "
+                     "programs load the plugin with mj_loadPluginLibrary");
+  }
+  const auto attempt = [&](const fs::path& file, const std::string& otherwise) {
+    const Trial trial = TryEngine(engines.front().file, file, Model());
+    if (!trial.problem.empty()) {
+      throw InputError(package.string() + ": MuJoCo " +
+                       (trial.answer.empty() ? "?" : trial.answer) +
+                       " does not work with the plugin" + otherwise + ": " + trial.problem);
+    }
+    return "MuJoCo " + trial.answer + " works with it: `import mujoco` loads it from now on\n";
+  };
+  std::string verdict = attempt(plugin, ", which is not installed");
+  const fs::path copy = PluginCopy(package);
+  const bool is_there = fs::exists(fs::symlink_status(copy, error));
+  const bool is_same = SameBytes(plugin, copy);
+  if (!is_same) {
+    // Python passes over a file with this ending.
+    const fs::path part = copy.string() + "." + std::to_string(getpid()) + ".part";
+    fs::create_directories(copy.parent_path(), error);
+    if (!error) {
+      fs::copy_file(plugin, part, error);
+    }
+    if (!error) {
+      using enum fs::perms;
+      fs::permissions(part, owner_read | owner_write | group_read | others_read, error);
+    }
+    if (!error) {
+      fs::rename(part, copy, error);
+    }
+    if (error) {
+      unlink(part.c_str());
+      throw InputError(copy.string() + ": cannot be written: " + error.message() + ". Type: sudo " +
+                       InstallLine(arguments) + " --engine " + ShellWord(package) +
+                       ", or install MuJoCo into a virtual environment, which is your own");
+    }
+    verdict = attempt(copy, " as installed");
+  }
+  Print((is_same    ? "is there already: "
+         : is_there ? "replaced "
+                    : "wrote ") +
+        copy.string() + "\n" + verdict);
+}
+
+void Uninstall(const DoctorArguments& arguments) {
+  const fs::path copy = PluginCopy(ChosenPackage(arguments));
+  const int failure = unlink(copy.c_str()) == 0 ? 0 : errno;
+  if (failure != 0 && failure != ENOENT) {
+    throw InputError(copy.string() + ": cannot be taken away: " + std::strerror(failure) +
+                     ". Type: sudo rm " + ShellWord(copy));
+  }
+  Print((failure == 0 ? "took away " : "is not there: ") + copy.string() + "\n");
 }
 
 }  // namespace
@@ -117,28 +212,42 @@ Diagnosis Examine(const DoctorArguments& arguments) {
 void AddDoctorCommand(CLI::App& program, int& status) {
   auto arguments = std::make_shared<DoctorArguments>();
   CLI::App* verb =
-      program.add_subcommand("doctor", "Which MuJoCo of this machine works with which plugin");
+      program.add_subcommand("doctor", "Which MuJoCo of this machine works with the plugin");
   verb->add_option("--engine", arguments->engines,
                    "Look at this library of MuJoCo, or in this folder, as well")
       ->type_name("PATH")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  verb->add_option("--plugin", arguments->plugins, "Try this plugin as well, before the others")
-      ->type_name("FILE")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  AddPluginArgument(*verb, arguments->plugin);
   verb->add_flag("--only", arguments->only, "Look at no other MuJoCo than those of --engine");
   verb->add_flag("--json", arguments->json, "The diagnosis as JSON");
+  verb->add_flag("--install", arguments->install,
+                 "Put the plugin into Python's package mujoco, from which `import mujoco` loads "
+                 "it: that of --engine, else that of the first python3 on PATH");
+  verb->add_flag("--uninstall", arguments->uninstall, "Take it away from there again");
   verb->footer(
-      "Looks where Python, unpacked releases and the system keep MuJoCo, and at MUJOCO_ROOT. Each "
-      "is loaded,\nwith the plugin for its version, in a process of its own, and steps a shoulder. "
-      "Where one does not work\nthe line after `type` mends it. Says besides what draws pictures "
-      "and makes videos. Exit status 1 if no MuJoCo works.\n"
-      "Example:\n  girdle doctor");
+      "Looks where Python, unpacked releases and the system keep MuJoCo, at MUJOCO_ROOT, and in "
+      "the checkout\nthat the program lies in. It runs each python3 on PATH, isolated, to ask "
+      "where its package is; it loads each\nMuJoCo with the plugin and steps a shoulder, and it "
+      "loads OpenGL. Each has a process, a limit of time and of\noutput of its own. Nothing of "
+      "the current folder is run. Where a MuJoCo does not work, its problem or the line\nafter "
+      "`type` says what mends it. Exit status 1 if no MuJoCo works.\n"
+      "Examples:\n  girdle doctor\n  girdle doctor --install");
   verb->callback([arguments, &status] {
-    const Diagnosis diagnosis = Examine(*arguments);
-    Print(arguments->json ? DiagnosisAsJson(diagnosis) : DiagnosisAsText(diagnosis));
-    status = diagnosis.passed() ? 0 : 1;
+    const bool changes = arguments->install || arguments->uninstall;
+    if (changes &&
+        (arguments->only || arguments->json || arguments->install == arguments->uninstall)) {
+      throw InputError("--install and --uninstall: each goes with --engine and --plugin alone");
+    }
+    if (arguments->install) {
+      Install(*arguments);
+    } else if (arguments->uninstall) {
+      Uninstall(*arguments);
+    } else {
+      const Diagnosis diagnosis = Examine(*arguments);
+      Print(arguments->json ? DiagnosisAsJson(diagnosis) : DiagnosisAsText(diagnosis));
+      status = diagnosis.passed() ? 0 : 1;
+    }
   });
 }
 

@@ -5,6 +5,8 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -14,6 +16,9 @@
 #include <chrono>
 #include <csignal>
 #include <cstring>
+#include <fstream>
+#include <iterator>
+#include <set>
 
 #include "tables/input_error.h"
 
@@ -21,6 +26,15 @@ namespace girdle {
 namespace {
 
 constexpr int kThrew = 3;
+// More than any answer takes.
+constexpr std::size_t kMostOutput = 1 << 20;
+// How often a child is looked at that writes nothing.
+constexpr int kPause_ms = 5;
+// Killed processes are gone in milliseconds, unless the kernel waits for a device.
+constexpr std::chrono::seconds kLongestEnd(2);
+
+using Clock = std::chrono::steady_clock;
+using Work = std::function<void(const std::function<void(std::string_view)>&)>;
 
 void WriteAll(int file, std::string_view text) {
   while (!text.empty()) {
@@ -32,13 +46,15 @@ void WriteAll(int file, std::string_view text) {
   }
 }
 
-[[noreturn]] void BeChild(
-    int out, const std::function<void(const std::function<void(std::string_view)>&)>& work) {
-  setpgid(0, 0);  // so that what it starts ends with it
+[[noreturn]] void BeChild(int out, const Work& work) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
   const int nowhere = open("/dev/null", O_RDWR | O_CLOEXEC);
   dup2(nowhere, STDIN_FILENO);
   dup2(nowhere, STDERR_FILENO);
   dup2(out, STDOUT_FILENO);
+  if (chdir("/") != 0) {
+    _exit(kThrew);
+  }
   try {
     work([](std::string_view text) { WriteAll(STDOUT_FILENO, text); });
   } catch (...) {
@@ -47,71 +63,119 @@ void WriteAll(int file, std::string_view text) {
   _exit(0);  // without what the parent left to do at its exit
 }
 
-std::string HowItEnded(int status) {
-  if (WIFSIGNALED(status)) {
-    return "crashed: " + std::string(strsignal(WTERMSIG(status)));
+// Starts the child and ends as it ends.
+[[noreturn]] void BeParent(int out, const Work& work) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  setsid();  // a group to kill at once, without a terminal
+  const rlimit no_core{0, 0};
+  setrlimit(RLIMIT_CORE, &no_core);
+  const pid_t child = fork();
+  if (child == 0) {
+    BeChild(out, work);
   }
-  return WEXITSTATUS(status) == 0 ? "" : "ended with status " + std::to_string(WEXITSTATUS(status));
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0) {
+    if (errno != EINTR) {
+      _exit(kThrew);
+    }
+  }
+  if (WIFSIGNALED(status)) {
+    std::signal(WTERMSIG(status), SIG_DFL);
+    std::raise(WTERMSIG(status));
+  }
+  _exit(WEXITSTATUS(status));
 }
 
-using Clock = std::chrono::steady_clock;
+// Of a process with one thread, whose number is that of the process.
+std::set<pid_t> ChildrenOfThisProcess() {
+  std::ifstream in("/proc/self/task/" + std::to_string(getpid()) + "/children");
+  return {std::istream_iterator<pid_t>(in), {}};
+}
 
-// Reads until the other end is closed; returns whether that happened before `end`.
-bool ReadAll(int file, Clock::time_point end, std::string& text) {
-  std::array<char, 4096> buffer{};
-  for (;;) {
-    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now());
-    pollfd waiting{file, POLLIN, 0};
-    const int ready = poll(&waiting, 1, static_cast<int>(std::max<long>(left.count(), 0)));
-    if (ready < 0 && errno == EINTR) {
-      continue;
-    }
-    if (ready <= 0) {
-      return false;
-    }
-    const ssize_t size = read(file, buffer.data(), buffer.size());
-    if (size > 0) {
-      text.append(buffer.data(), static_cast<std::size_t>(size));
-    } else if (size == 0 || errno != EINTR) {
-      return true;
+// Kills the group, and all children but those of `earlier`. A killed process leaves its own
+// children to this one.
+void KillAll(pid_t group, const std::set<pid_t>& earlier) {
+  kill(-group, SIGKILL);
+  const Clock::time_point end = Clock::now() + kLongestEnd;
+  bool is_left = true;
+  while (is_left && Clock::now() < end) {
+    is_left = false;
+    for (const pid_t child : ChildrenOfThisProcess()) {
+      if (!earlier.contains(child)) {
+        is_left = true;
+        kill(child, SIGKILL);
+        waitpid(child, nullptr, WNOHANG);
+      }
     }
   }
+}
+
+// Adds what can be read without waiting, up to a little more than the limit.
+void ReadReady(int file, std::string& text) {
+  std::array<char, 4096> buffer{};
+  while (text.size() <= kMostOutput) {
+    const ssize_t size = read(file, buffer.data(), buffer.size());
+    if (size == 0 || (size < 0 && errno != EINTR)) {
+      return;
+    }
+    text.append(buffer.data(), static_cast<std::size_t>(std::max<ssize_t>(size, 0)));
+  }
+}
+
+std::string HowItEnded(const siginfo_t& ended) {
+  if (ended.si_code != CLD_EXITED) {
+    return "was ended by a signal: " + std::string(strsignal(ended.si_status));
+  }
+  return ended.si_status == 0 ? "" : "ended with status " + std::to_string(ended.si_status);
 }
 
 }  // namespace
 
-ChildResult RunInChild(
-    const std::function<void(const std::function<void(std::string_view)>& write)>& work,
-    int limit_s) {
+ChildResult RunInChild(const Work& work, int limit_s) {
+  std::signal(SIGCHLD, SIG_DFL);  // who started this process may have it ignored
+  prctl(PR_SET_CHILD_SUBREAPER, 1);
+  const std::set<pid_t> earlier = ChildrenOfThisProcess();
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0) {
     throw InputError("cannot make a pipe: " + std::string(std::strerror(errno)));
   }
-  const pid_t child = fork();
-  if (child < 0) {
+  const pid_t parent = fork();
+  if (parent < 0) {
     const std::string reason = std::strerror(errno);
     close(ends[0]);
     close(ends[1]);
     throw InputError("cannot start a process: " + reason);
   }
-  if (child == 0) {
+  if (parent == 0) {
     close(ends[0]);
-    BeChild(ends[1], work);
+    BeParent(ends[1], work);
   }
   close(ends[1]);
+  fcntl(ends[0], F_SETFL, O_NONBLOCK);
   ChildResult result;
-  const bool in_time =
-      ReadAll(ends[0], Clock::now() + std::chrono::seconds(limit_s), result.output);
+  const Clock::time_point end = Clock::now() + std::chrono::seconds(limit_s);
+  for (;;) {
+    pollfd waiting{ends[0], POLLIN, 0};
+    poll(&waiting, 1, kPause_ms);
+    siginfo_t ended{};
+    // It stays a zombie, so that its number stands for its group until that is killed.
+    waitid(P_PID, static_cast<id_t>(parent), &ended, WEXITED | WNOHANG | WNOWAIT);
+    ReadReady(ends[0], result.output);
+    if (ended.si_pid != 0) {
+      result.failure = HowItEnded(ended);
+      break;
+    }
+    if (result.output.size() > kMostOutput) {
+      result.failure = "wrote more than a megabyte";
+      break;
+    }
+    if (Clock::now() > end) {
+      result.failure = "did not end within " + std::to_string(limit_s) + " s";
+      break;
+    }
+  }
   close(ends[0]);
-  if (!in_time) {
-    // The group may not be there yet.
-    kill(-child, SIGKILL);
-    kill(child, SIGKILL);
-  }
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  result.failure = in_time ? HowItEnded(status) : "did not answer in time";
+  KillAll(parent, earlier);
   return result;
 }
 

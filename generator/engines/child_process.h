@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// Work in a process of its own, which may crash or hang without harm to this one.
+/// Work in a process of its own, which may crash, hang or be hostile without harm to this one.
 #pragma once
 
 #include <functional>
@@ -17,9 +17,15 @@ struct ChildResult {
 };
 
 /// Runs `work` in a copy of this process, gives it a function that writes to `output`, and waits
-/// for it, `limit_s` seconds at most. The child's standard output goes to `output` as well, its
-/// standard error nowhere. To be called while this process has one thread. Throws InputError if no
-/// process can be made.
+/// for it, `limit_s` seconds at most.
+///
+/// The child's current folder is `/`. Its standard output goes to `output` as well, its standard
+/// error nowhere. It is ended when the time is over or when it has written more than a megabyte.
+/// All processes that it started end with it, also those with a session of their own. The child's
+/// parent is a process between this one and the child: a child that kills its parent ends itself.
+///
+/// To be called while this process has one thread. This process becomes the parent of the orphans
+/// among its descendants (PR_SET_CHILD_SUBREAPER). Throws InputError if no process can be made.
 [[nodiscard]] ChildResult RunInChild(
     const std::function<void(const std::function<void(std::string_view)>& write)>& work,
     int limit_s);

@@ -4,6 +4,8 @@
 #include "engines/diagnosis.h"
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string_view>
@@ -15,96 +17,36 @@
 namespace girdle {
 namespace {
 
-// A word of a shell's command line.
-std::string Quoted(const std::filesystem::path& path) {
-  std::string text = path.string();
-  const bool is_plain = std::all_of(text.begin(), text.end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-           std::string_view("/._-+=:,@%").find(c) != std::string_view::npos;
-  });
-  if (is_plain && !text.empty()) {
-    return text;
-  }
-  std::string quoted = "'";
-  for (const char c : text) {
-    quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  }
-  return quoted + "'";
-}
-
-std::string InstallLine(const std::filesystem::path& engine, const EngineVersion& version) {
-  const std::filesystem::path python = PythonOfEngine(engine);
-  return (python.empty() ? "python3" : Quoted(python)) + " -m pip install " + PipPackage(version);
-}
-
-// Builds a plugin for the MuJoCo in `root`, in a folder that is looked into the next time.
-std::string BuildLine(const std::filesystem::path& checkout, const std::filesystem::path& root,
-                      const EngineVersion& version) {
-  const std::filesystem::path source = checkout.empty() ? "." : checkout;
-  const std::string build = Quoted(source / "build" / ("mujoco-" + Text(version)));
-  return "cmake -S " + Quoted(source) + " -B " + build +
-         " -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=OFF -DMUJOCO_ROOT=" + Quoted(root) +
-         " && cmake --build " + build + " --target girdle_plugin";
-}
-
-// What one types to get a plugin for `engine`, or another engine if there cannot be one.
-std::string PluginLine(const std::filesystem::path& engine, const EngineVersion& version,
-                       const std::filesystem::path& checkout) {
-  const std::filesystem::path root = RootOfEngine(engine);
-  return root.empty() ? InstallLine(engine, NewestEngine()) : BuildLine(checkout, root, version);
-}
-
-// What one types to make a plugin anew that a build left behind.
-std::string RebuildLine(const std::filesystem::path& plugin) {
-  const std::filesystem::path folder = plugin.parent_path();
-  std::error_code error;
-  return std::filesystem::exists(folder / "CMakeCache.txt", error)
-             ? "cmake --build " + Quoted(folder)
-             : "";
-}
-
-// Of the 3.x for who has a 3.x: other packages may need it.
-EngineVersion GoodVersionFor(const EngineVersion& version) {
-  return version.major < NewestEngine().major ? OldestEngine() : NewestEngine();
-}
-
-EngineDiagnosis DiagnoseEngine(const FoundFile& library,
-                               const std::vector<PluginDiagnosis>& plugins,
-                               const std::string& model, const std::filesystem::path& checkout) {
+EngineDiagnosis DiagnoseEngine(const FoundEngine& library, const std::filesystem::path& plugin,
+                               const std::string& model, const std::string& install) {
+  const Trial trial = TryEngine(library.file, plugin, model);
   EngineDiagnosis engine;
   engine.library = library;
-  const Trial opened = OpenEngine(library.file);
-  engine.version = opened.version;
-  if (!engine.version || !opened.problem.empty()) {
-    engine.problem = opened.problem.empty() ? "does not say its version" : opened.problem;
-    engine.fix = InstallLine(library.file, NewestEngine());
-    if (!PythonOfEngine(library.file).empty()) {
-      engine.fix += " --force-reinstall --no-deps";
-    }
+  engine.version = trial.answer;
+  engine.works = trial.problem.empty();
+  engine.problem = trial.problem;
+  if (engine.version.empty()) {
+    const std::filesystem::path python = PythonOf(library.folder);
+    engine.fix = (python.empty() ? "python3" : ShellWord(python)) +
+                 " -m pip install --force-reinstall mujoco";
+  }
+  std::error_code error;
+  const std::filesystem::path copy = PluginCopy(library.folder);
+  if (!std::filesystem::is_regular_file(copy, error)) {
     return engine;
   }
-  engine.problem = WhyRefused(*engine.version);
-  if (!engine.problem.empty()) {
-    engine.fix = InstallLine(library.file, GoodVersionFor(*engine.version));
+  engine.copy = copy;
+  if (SameBytes(plugin, copy)) {
     return engine;
   }
-  // The first that works, else what the last one said.
-  for (const PluginDiagnosis& plugin : plugins) {
-    if (plugin.version != engine.version) {
-      continue;
-    }
-    const Trial trial = TryPlugin(library.file, plugin.file, model);
-    engine.plugin = plugin.file;
-    engine.problem = trial.problem;
-    if (trial.problem.empty()) {
-      engine.works = true;
-      return engine;
-    }
+  if (engine.works) {
+    engine.problem = "the plugin that `import mujoco` loads differs from this one";
+    engine.fix = install + " --engine " + ShellWord(library.folder);
+  } else if (TryEngine(library.file, copy, model).problem.empty()) {
+    engine.works = true;
+    engine.problem =
+        "with the plugin that `import mujoco` loads, not with this one: " + trial.problem;
   }
-  if (engine.plugin.empty()) {
-    engine.problem = "no plugin for it";
-  }
-  engine.fix = PluginLine(library.file, *engine.version, checkout);
   return engine;
 }
 
@@ -116,15 +58,42 @@ std::string Joined(const std::vector<std::string>& words) {
   return joined;
 }
 
-std::string VersionText(const std::optional<EngineVersion>& version) {
-  return version ? Text(*version) : "?";
-}
-
 void AppendRow(std::ostream& out, std::string_view name, const std::string& value) {
   if (!value.empty()) {
     constexpr std::size_t kNameWidth = 12;
     out << "  " << AlignedLeft(std::string(name), kNameWidth) << value << "\n";
   }
+}
+
+void AppendEngine(std::ostream& out, const EngineDiagnosis& engine) {
+  out << "MuJoCo " << (engine.version.empty() ? "?" : engine.version) << "  "
+      << (engine.works ? "works" : "") << (engine.works && !engine.problem.empty() ? "; " : "")
+      << engine.problem << "\n";
+  AppendRow(out, "library", engine.library.file.string());
+  AppendRow(out, "found by", Joined(engine.library.found_by));
+  AppendRow(out, "installed", engine.copy.string());
+  AppendRow(out, "type", engine.fix);
+  out << "\n";
+}
+
+void AppendPlugin(std::ostream& out, const Diagnosis& diagnosis) {
+  const PluginDiagnosis& plugin = diagnosis.plugin;
+  if (plugin.file.empty()) {
+    out << "plugin  none: " << plugin.problem << "\n\n";
+    return;
+  }
+  const std::string file = nlohmann::json(plugin.file.string())
+                               .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  out << "plugin  " << (plugin.problem.empty() ? "of Girdle " + plugin.version : plugin.problem)
+      << "\n";
+  AppendRow(out, "library", plugin.file.string());
+  out << "  \"plugin girdle.rhythm not found\" means that nothing loaded it. Load it before the "
+         "model:\n";
+  AppendRow(out, "Python", "mujoco.mj_loadPluginLibrary(" + file + ")");
+  AppendRow(out, "C", "mj_loadPluginLibrary(" + file + ");");
+  out << "  or let every `import mujoco` of a Python load it:\n";
+  AppendRow(out, "type", diagnosis.install);
+  out << "\n";
 }
 
 void AppendTool(std::ostream& out, std::string_view name, const ToolDiagnosis& tool) {
@@ -134,37 +103,50 @@ void AppendTool(std::ostream& out, std::string_view name, const ToolDiagnosis& t
 
 }  // namespace
 
+std::filesystem::path PluginCopy(const std::filesystem::path& package) {
+  return package / "plugin" / "libgirdle_rhythm.so";
+}
+
+bool SameBytes(const std::filesystem::path& a, const std::filesystem::path& b) {
+  std::error_code error;
+  std::ifstream first(a, std::ios::binary);
+  std::ifstream second(b, std::ios::binary);
+  using Bytes = std::istreambuf_iterator<char>;
+  return first && second && std::filesystem::is_regular_file(a, error) &&
+         std::filesystem::is_regular_file(b, error) &&
+         std::equal(Bytes(first), Bytes(), Bytes(second), Bytes());
+}
+
+std::string ShellWord(const std::filesystem::path& path) {
+  std::string text = path.string();
+  if (text.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789"
+                             "/._-+=:,@%") == std::string::npos) {
+    return text;
+  }
+  std::string quoted = "'";
+  for (const char c : text) {
+    quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  }
+  return quoted + "'";
+}
+
 bool Diagnosis::passed() const {
   return std::any_of(engines.begin(), engines.end(),
                      [](const EngineDiagnosis& engine) { return engine.works; });
 }
 
-Diagnosis Diagnose(const std::vector<FoundFile>& engines,
-                   const std::vector<std::filesystem::path>& plugins, const std::string& model,
-                   const std::filesystem::path& checkout) {
+Diagnosis Diagnose(const std::vector<FoundEngine>& engines, const std::filesystem::path& plugin,
+                   const std::string& model, const std::string& install) {
   Diagnosis diagnosis;
-  for (const std::filesystem::path& file : plugins) {
-    const Trial opened = OpenPlugin(file);
-    diagnosis.plugins.push_back({file, opened.version, false, opened.problem,
-                                 opened.problem.empty() ? "" : RebuildLine(file)});
+  diagnosis.install = install;
+  if (plugin.empty()) {
+    diagnosis.plugin.problem = "this program was built without MuJoCo, and so without a plugin";
+  } else {
+    const Trial opened = OpenPlugin(plugin);
+    diagnosis.plugin = {plugin, opened.answer, opened.problem};
   }
-  for (const FoundFile& library : engines) {
-    diagnosis.engines.push_back(DiagnoseEngine(library, diagnosis.plugins, model, checkout));
-  }
-  for (PluginDiagnosis& plugin : diagnosis.plugins) {
-    plugin.has_engine =
-        plugin.version && std::any_of(diagnosis.engines.begin(), diagnosis.engines.end(),
-                                      [&](const EngineDiagnosis& engine) {
-                                        return engine.version == plugin.version;
-                                      });
-    if (plugin.version && !plugin.has_engine) {
-      plugin.problem = "no MuJoCo of this version here";
-      plugin.fix = InstallLine({}, *plugin.version);
-    }
-  }
-  if (diagnosis.engines.empty()) {
-    diagnosis.fix =
-        checkout.empty() ? InstallLine({}, NewestEngine()) : Quoted(checkout / "scripts" / "setup");
+  for (const FoundEngine& library : engines) {
+    diagnosis.engines.push_back(DiagnoseEngine(library, plugin, model, install));
   }
   return diagnosis;
 }
@@ -172,34 +154,20 @@ Diagnosis Diagnose(const std::vector<FoundFile>& engines,
 std::string DiagnosisAsText(const Diagnosis& diagnosis) {
   std::ostringstream out;
   for (const EngineDiagnosis& engine : diagnosis.engines) {
-    out << "MuJoCo " << VersionText(engine.version) << "  "
-        << (engine.works ? "works" : engine.problem) << "\n";
-    AppendRow(out, "library", engine.library.file.string());
-    AppendRow(out, "found by", Joined(engine.library.found_by));
-    AppendRow(out, "plugin", engine.plugin.string());
-    AppendRow(out, "type", engine.fix);
-    out << "\n";
-  }
-  for (const PluginDiagnosis& plugin : diagnosis.plugins) {
-    if (!plugin.problem.empty()) {
-      out << "plugin for MuJoCo " << VersionText(plugin.version) << "  " << plugin.problem << "\n";
-      AppendRow(out, "plugin", plugin.file.string());
-      AppendRow(out, "type", plugin.fix);
-      out << "\n";
-    }
+    AppendEngine(out, engine);
   }
   for (const std::string& note : diagnosis.notes) {
     out << note << "\n\n";
   }
+  AppendPlugin(out, diagnosis);
   AppendTool(out, "pictures", diagnosis.pictures);
   AppendTool(out, "videos", diagnosis.videos);
-  out << "\n";
   const auto working = std::count_if(diagnosis.engines.begin(), diagnosis.engines.end(),
                                      [](const EngineDiagnosis& engine) { return engine.works; });
   if (diagnosis.engines.empty()) {
-    out << "no MuJoCo found\n";
+    out << "\nno MuJoCo found\n";
   } else {
-    out << "MuJoCo works with a plugin of Girdle: " << working << " of " << diagnosis.engines.size()
+    out << "\nMuJoCo works with the plugin: " << working << " of " << diagnosis.engines.size()
         << " found\n";
   }
   AppendRow(out, "type", diagnosis.fix);
@@ -207,39 +175,33 @@ std::string DiagnosisAsText(const Diagnosis& diagnosis) {
 }
 
 std::string DiagnosisAsJson(const Diagnosis& diagnosis) {
-  const auto version = [](const std::optional<EngineVersion>& value) {
-    return value ? nlohmann::ordered_json(Text(*value)) : nlohmann::ordered_json();
-  };
-  nlohmann::ordered_json engines = nlohmann::ordered_json::array();
+  using Json = nlohmann::ordered_json;
+  const auto version = [](const std::string& text) { return text.empty() ? Json() : Json(text); };
+  Json engines = Json::array();
   for (const EngineDiagnosis& engine : diagnosis.engines) {
     engines.push_back({{"version", version(engine.version)},
                        {"library", engine.library.file.string()},
                        {"found_by", engine.library.found_by},
                        {"works", engine.works},
-                       {"plugin", engine.plugin.string()},
+                       {"installed", engine.copy.string()},
                        {"problem", engine.problem},
                        {"fix", engine.fix}});
   }
-  nlohmann::ordered_json plugins = nlohmann::ordered_json::array();
-  for (const PluginDiagnosis& plugin : diagnosis.plugins) {
-    plugins.push_back({{"file", plugin.file.string()},
-                       {"version", version(plugin.version)},
-                       {"has_engine", plugin.has_engine},
-                       {"problem", plugin.problem},
-                       {"fix", plugin.fix}});
-  }
   const auto tool = [](const ToolDiagnosis& value) {
-    return nlohmann::ordered_json(
-        {{"found", value.found}, {"problem", value.problem}, {"fix", value.fix}});
+    return Json({{"found", value.found}, {"problem", value.problem}, {"fix", value.fix}});
   };
-  const nlohmann::ordered_json report = {{"passed", diagnosis.passed()},
-                                         {"engines", engines},
-                                         {"plugins", plugins},
-                                         {"pictures", tool(diagnosis.pictures)},
-                                         {"videos", tool(diagnosis.videos)},
-                                         {"notes", diagnosis.notes},
-                                         {"fix", diagnosis.fix}};
-  return report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  const Json report = {{"passed", diagnosis.passed()},
+                       {"engines", engines},
+                       {"plugin",
+                        {{"file", diagnosis.plugin.file.string()},
+                         {"version", version(diagnosis.plugin.version)},
+                         {"problem", diagnosis.plugin.problem}}},
+                       {"pictures", tool(diagnosis.pictures)},
+                       {"videos", tool(diagnosis.videos)},
+                       {"notes", diagnosis.notes},
+                       {"fix", diagnosis.fix},
+                       {"install", diagnosis.install}};
+  return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace girdle

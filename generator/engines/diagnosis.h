@@ -1,36 +1,33 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// Which MuJoCo of this machine works with which plugin, and what to type where none does.
+/// Which MuJoCo of this machine works with the plugin, and what to type where one does not.
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "engines/engine_search.h"
-#include "engines/engine_version.h"
 
 namespace girdle {
 
 /// A library of MuJoCo.
 struct EngineDiagnosis {
-  FoundFile library;
-  std::optional<EngineVersion> version;  ///< nothing if it cannot be opened
-  bool works = false;                    ///< with `plugin`
-  std::filesystem::path plugin;          ///< empty if there is none for this version
-  std::string problem;                   ///< empty if it works
-  std::string fix;                       ///< a line for the shell; empty if it works
+  FoundEngine library;
+  std::string version;  ///< empty if it cannot be opened
+  bool works = false;   ///< with the plugin, or with `copy`
+  /// The plugin in the library's own folder, which `import mujoco` loads; empty if there is none.
+  std::filesystem::path copy;
+  std::string problem;  ///< empty if all is well
+  std::string fix;      ///< a line for the shell; empty if none is needed or known
 };
 
-/// A plugin of Girdle.
+/// The plugin that engines are tried with.
 struct PluginDiagnosis {
-  std::filesystem::path file;
-  std::optional<EngineVersion> version;  ///< of MuJoCo; nothing if it cannot be opened
-  bool has_engine = false;               ///< whether a MuJoCo of this version was found
-  std::string problem;                   ///< empty if it has one
-  std::string fix;                       ///< a line for the shell; empty if none is known
+  std::filesystem::path file;  ///< empty if there is none
+  std::string version;         ///< of Girdle; empty if it does not tell
+  std::string problem;         ///< empty if all is well
 };
 
 /// Something that pictures need beside MuJoCo. Without it all else works.
@@ -42,30 +39,39 @@ struct ToolDiagnosis {
 
 struct Diagnosis {
   std::vector<EngineDiagnosis> engines;
-  std::vector<PluginDiagnosis> plugins;
-  /// What was named and holds no MuJoCo, a sentence each.
+  PluginDiagnosis plugin;
+  /// What was named and holds no MuJoCo, and what did not answer, a sentence each.
   std::vector<std::string> notes;
   ToolDiagnosis pictures;  ///< OpenGL without a screen
   ToolDiagnosis videos;    ///< ffmpeg
-  /// A line for the shell where there is no MuJoCo at all; else empty.
-  std::string fix;
+  std::string fix;         ///< a line for the shell where there is no MuJoCo at all; else empty
+  std::string install;     ///< a line for the shell that puts the plugin into Python's mujoco
 
   /// At least one MuJoCo works.
   [[nodiscard]] bool passed() const;
 };
 
-/// Opens every library and every plugin, and tries those that belong together with `model`, MJCF
-/// text that uses the plugin. `checkout` is a folder with Girdle's sources, for the lines that
-/// build a plugin, or empty if none is known.
-[[nodiscard]] Diagnosis Diagnose(const std::vector<FoundFile>& engines,
-                                 const std::vector<std::filesystem::path>& plugins,
-                                 const std::string& model, const std::filesystem::path& checkout);
+/// Opens `plugin`, which is empty if there is none, and tries every engine with it and `model`,
+/// MJCF text that uses it. `install` is the line that puts the plugin into Python's mujoco.
+[[nodiscard]] Diagnosis Diagnose(const std::vector<FoundEngine>& engines,
+                                 const std::filesystem::path& plugin, const std::string& model,
+                                 const std::string& install);
 
-/// The diagnosis for people: a block a MuJoCo, a block a plugin without one, what draws pictures,
-/// and a sentence.
+/// The diagnosis for people: a block a MuJoCo, how to load the plugin, what draws pictures, and a
+/// sentence.
 [[nodiscard]] std::string DiagnosisAsText(const Diagnosis& diagnosis);
 
-/// The same as JSON, with a line break after it.
+/// The diagnosis as JSON, with a line break after it.
 [[nodiscard]] std::string DiagnosisAsJson(const Diagnosis& diagnosis);
+
+/// Returns where Python's package mujoco in the folder `package` has its copy of the plugin, which
+/// `import mujoco` loads by itself, or would have it.
+[[nodiscard]] std::filesystem::path PluginCopy(const std::filesystem::path& package);
+
+/// Returns whether both are files that can be read, with the same bytes.
+[[nodiscard]] bool SameBytes(const std::filesystem::path& a, const std::filesystem::path& b);
+
+/// Returns `path` as a word of a shell's command line.
+[[nodiscard]] std::string ShellWord(const std::filesystem::path& path);
 
 }  // namespace girdle

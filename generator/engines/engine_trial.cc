@@ -8,12 +8,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
+#include <cctype>
 #include <cstring>
 #include <functional>
 #include <sstream>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 
 #include "engines/child_process.h"
 #include "kinematics/model_names.h"
@@ -29,14 +30,18 @@ constexpr int kSteps = 10;
 constexpr int kTimeOnly = 1;
 
 // The lines that a child writes begin with one of these words.
-constexpr std::string_view kVersion = "version ";
+constexpr std::string_view kAnswer = "answer ";
 constexpr std::string_view kProblem = "problem ";
-constexpr std::string_view kLibrary = "library ";
+constexpr std::string_view kDone = "done";  // all of the work
+constexpr std::size_t kLongestLine = 1000;  // bytes; MuJoCo's messages are no longer
 
 using Write = std::function<void(std::string_view)>;
 
+// Without line breaks and whatever else a terminal would obey.
 std::string OneLine(std::string text) {
-  std::replace(text.begin(), text.end(), '\n', ' ');
+  text.resize(std::min(text.size(), kLongestLine));
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
   return text.substr(0, text.find_last_not_of(' ') + 1);
 }
 
@@ -55,13 +60,8 @@ class Library {
   }
 
   template <typename Symbol>
-  [[nodiscard]] Symbol* Find(const char* name) const {
-    return reinterpret_cast<Symbol*>(dlsym(handle_, name));
-  }
-
-  template <typename Symbol>
   [[nodiscard]] Symbol* Get(const char* name) const {
-    Symbol* symbol = Find<Symbol>(name);
+    auto* symbol = reinterpret_cast<Symbol*>(dlsym(handle_, name));
     if (symbol == nullptr) {
       throw std::runtime_error("has no " + std::string(name));
     }
@@ -116,30 +116,30 @@ Trial TrialOf(const std::function<void(const Write&)>& work) {
       [&](const Write& write) {
         try {
           work(write);
+          WriteLine(write, kDone, "");
         } catch (const std::exception& error) {
           WriteLine(write, kProblem, error.what());
         }
       },
       kLimit_s);
   Trial trial;
+  bool is_done = false;
   std::istringstream lines(child.output);
   for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with(kVersion)) {
-      int number = 0;
-      std::from_chars(line.data() + kVersion.size(), line.data() + line.size(), number);
-      trial.version = EngineVersionFromNumber(number);
-    } else if (line.starts_with(kProblem) && trial.problem.empty()) {
-      trial.problem = line.substr(kProblem.size());
+    is_done = is_done || line == kDone;
+    for (const auto& [word, text] :
+         {std::pair(kAnswer, &trial.answer), {kProblem, &trial.problem}}) {
+      if (line.starts_with(word) && text->empty()) {
+        *text = OneLine(line.substr(word.size()));
+      }
     }
   }
   if (!child.failure.empty()) {
     trial.problem += (trial.problem.empty() ? "" : "; ") + child.failure;
+  } else if (trial.problem.empty() && !is_done) {
+    trial.problem = "ended the process that tried it";
   }
   return trial;
-}
-
-void SayVersion(const Write& write, int number) {
-  WriteLine(write, kVersion, std::to_string(number));
 }
 
 int FindMujoco(dl_phdr_info* info, std::size_t /*size*/, void* path) {
@@ -153,28 +153,14 @@ int FindMujoco(dl_phdr_info* info, std::size_t /*size*/, void* path) {
 
 }  // namespace
 
-Trial OpenEngine(const std::filesystem::path& engine) {
-  return TrialOf(
-      [&](const Write& write) { SayVersion(write, Library(engine).Get<int()>("mj_version")()); });
-}
-
-Trial OpenPlugin(const std::filesystem::path& plugin) {
-  return TrialOf([&](const Write& write) {
-    const Library library(plugin);
-    auto* version = library.Find<int()>(kPluginVersionSymbol);
-    if (version == nullptr) {
-      throw std::runtime_error(
-          "is not a plugin of this Girdle: it does not say which MuJoCo it is for");
-    }
-    SayVersion(write, version());
-  });
-}
-
-Trial TryPlugin(const std::filesystem::path& engine, const std::filesystem::path& plugin,
+Trial TryEngine(const std::filesystem::path& engine, const std::filesystem::path& plugin,
                 const std::string& model) {
   return TrialOf([&](const Write& write) {
     const Library library(engine);
-    SayVersion(write, library.Get<int()>("mj_version")());
+    WriteLine(write, kAnswer, library.Get<const char*()>("mj_versionString")());
+    if (plugin.empty()) {
+      throw std::runtime_error("there is no plugin to try it with");
+    }
     on_warning = write;
     *library.Get<MessageHandler>("mju_user_warning") = OnWarning;
     *library.Get<MessageHandler>("mju_user_error") = OnError;
@@ -187,30 +173,19 @@ Trial TryPlugin(const std::filesystem::path& engine, const std::filesystem::path
   });
 }
 
-std::filesystem::path EngineOfModule(const std::filesystem::path& module, std::string& problem) {
-  const ChildResult child = RunInChild(
-      [&](const Write& write) {
-        try {
-          const Library library(module);
-          std::string path;
-          dl_iterate_phdr(FindMujoco, &path);
-          WriteLine(write, kLibrary, path);
-        } catch (const std::exception& error) {
-          WriteLine(write, kProblem, error.what());
-        }
-      },
-      kLimit_s);
-  std::filesystem::path engine;
-  problem = child.failure;
-  std::istringstream lines(child.output);
-  for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with(kLibrary)) {
-      engine = line.substr(kLibrary.size());
-    } else if (line.starts_with(kProblem)) {
-      problem = line.substr(kProblem.size());
-    }
-  }
-  return engine;
+Trial OpenPlugin(const std::filesystem::path& plugin) {
+  return TrialOf([&](const Write& write) {
+    WriteLine(write, kAnswer, Library(plugin).Get<const char*()>(kPluginVersionSymbol)());
+  });
+}
+
+Trial OpenModule(const std::filesystem::path& module) {
+  return TrialOf([&](const Write& write) {
+    const Library library(module);
+    std::string path;
+    dl_iterate_phdr(FindMujoco, &path);
+    WriteLine(write, kAnswer, path);
+  });
 }
 
 }  // namespace girdle

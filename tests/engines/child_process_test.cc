@@ -4,15 +4,47 @@
 #include "engines/child_process.h"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
+#include <filesystem>
+#include <fstream>
 #include <string>
+#include <thread>
 
 namespace girdle::child_process_test {
 namespace {
 
 constexpr int kAmple_s = 30;
+
+// Runs a script of the shell.
+ChildResult RunShell(const std::string& script, int limit_s = kAmple_s) {
+  return RunInChild(
+      [&](const auto&) {
+        execl("/bin/sh", "sh", "-c", script.c_str(), static_cast<char*>(nullptr));
+      },
+      limit_s);
+}
+
+// A file that is not there, for children to write.
+class RunInChildMarked : public testing::Test {
+ protected:
+  RunInChildMarked() { std::filesystem::remove(marker_); }
+  ~RunInChildMarked() override { std::filesystem::remove(marker_); }
+
+  // Whether the file comes to be within twice the time that scripts below wait before they write.
+  [[nodiscard]] bool IsWritten() const {
+    for (int i = 0; i < 20 && !std::filesystem::exists(marker_); ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    }
+    return std::filesystem::exists(marker_);
+  }
+
+  const std::string marker_ =
+      std::filesystem::temp_directory_path() / ("girdle_child_" + std::to_string(getpid()));
+};
 
 TEST(RunInChild, ReturnsWhatTheChildWrote) {
   // More than a pipe holds at once.
@@ -23,11 +55,7 @@ TEST(RunInChild, ReturnsWhatTheChildWrote) {
 }
 
 TEST(RunInChild, ReturnsWhatAProgramPrintsThatTheChildBecomes) {
-  const ChildResult child = RunInChild(
-      [](const auto&) {
-        execl("/bin/sh", "sh", "-c", "echo out; echo err >&2", static_cast<char*>(nullptr));
-      },
-      kAmple_s);
+  const ChildResult child = RunShell("echo out; echo err >&2");
   EXPECT_EQ(child.output, "out\n");
   EXPECT_EQ(child.failure, "");
 }
@@ -41,10 +69,16 @@ TEST(RunInChild, OutlivesAChildThatCrashesAndKeepsWhatItWrote) {
       },
       kAmple_s);
   EXPECT_EQ(child.output, "before");
-  EXPECT_NE(child.failure.find("crashed"), std::string::npos) << child.failure;
+  EXPECT_EQ(child.failure, "was ended by a signal: Segmentation fault");
 }
 
 TEST(RunInChild, SaysTheStatusOfAChildThatFails) {
+  const ChildResult child = RunInChild([](const auto&) { _exit(7); }, kAmple_s);
+  EXPECT_EQ(child.failure, "ended with status 7");
+}
+
+TEST(RunInChild, SaysTheStatusWhereThisProcessIgnoresItsChildren) {
+  std::signal(SIGCHLD, SIG_IGN);
   const ChildResult child = RunInChild([](const auto&) { _exit(7); }, kAmple_s);
   EXPECT_EQ(child.failure, "ended with status 7");
 }
@@ -54,16 +88,50 @@ TEST(RunInChild, NoExceptionOfTheChildLeavesIt) {
   EXPECT_NE(child.failure, "");
 }
 
-TEST(RunInChild, EndsAChildThatHangsWithAllThatItStarted) {
-  const ChildResult child = RunInChild(
-      [](const auto& write) {
-        write("waiting");
-        // The shell waits for a process of its own, which keeps the output open.
-        execl("/bin/sh", "sh", "-c", "sleep 600; true", static_cast<char*>(nullptr));
-      },
-      1);
-  EXPECT_EQ(child.output, "waiting");
-  EXPECT_EQ(child.failure, "did not answer in time");
+TEST(RunInChild, RunsNothingInTheCurrentFolder) { EXPECT_EQ(RunShell("pwd").output, "/\n"); }
+
+TEST(RunInChild, EndsAChildThatHangs) {
+  const ChildResult child = RunShell("echo waiting; sleep 600; true", 1);
+  EXPECT_EQ(child.output, "waiting\n");
+  EXPECT_EQ(child.failure, "did not end within 1 s");
+}
+
+TEST(RunInChild, EndsAChildThatClosesItsOutputAndGoesOn) {
+  const ChildResult child = RunShell("exec >&-; sleep 600", 1);
+  EXPECT_EQ(child.failure, "did not end within 1 s");
+}
+
+TEST(RunInChild, EndsAChildThatWritesWithoutEnd) {
+  const ChildResult child = RunShell("exec yes");
+  EXPECT_EQ(child.failure, "wrote more than a megabyte");
+  EXPECT_LT(child.output.size(), 2'000'000U);
+}
+
+TEST(RunInChild, WaitsForNoneThatTheChildLeavesBehind) {
+  const ChildResult child = RunShell("sleep 600 & echo done");
+  EXPECT_EQ(child.output, "done\n");
+  EXPECT_EQ(child.failure, "");
+}
+
+TEST(RunInChild, OutlivesAChildThatKillsItsParent) {
+  const ChildResult child = RunShell("kill -9 $PPID; sleep 600");
+  EXPECT_EQ(child.failure, "was ended by a signal: Killed");
+}
+
+TEST(RunInChild, OutlivesAChildThatKillsEveryParentThatItComesToHave) {
+  const ChildResult child = RunShell(
+      "while read -r pid name state parent rest < /proc/$$/stat; do kill -9 $parent; done");
+  EXPECT_EQ(child.failure, "was ended by a signal: Killed");
+}
+
+TEST(RunInChild, OutlivesAChildThatKillsItsGroup) {
+  const ChildResult child = RunShell("kill -9 0; sleep 600");
+  EXPECT_EQ(child.failure, "was ended by a signal: Killed");
+}
+
+TEST(RunInChild, OutlivesAChildThatStopsItsParent) {
+  const ChildResult child = RunShell("kill -STOP $PPID; sleep 600", 1);
+  EXPECT_EQ(child.failure, "did not end within 1 s");
 }
 
 TEST(RunInChild, NothingThatTheChildDoesIsDoneHere) {
@@ -71,6 +139,58 @@ TEST(RunInChild, NothingThatTheChildDoesIsDoneHere) {
   const ChildResult child = RunInChild([&](const auto&) { value = 2; }, kAmple_s);
   EXPECT_EQ(child.failure, "");
   EXPECT_EQ(value, 1);
+}
+
+TEST(RunInChild, LeavesOtherChildrenOfThisProcessAlone) {
+  const pid_t other = fork();
+  if (other == 0) {
+    pause();
+    _exit(0);
+  }
+  EXPECT_EQ(RunShell("true").failure, "");
+  EXPECT_EQ(waitpid(other, nullptr, WNOHANG), 0) << "it ended";
+  kill(other, SIGKILL);
+  EXPECT_EQ(waitpid(other, nullptr, 0), other);
+}
+
+TEST_F(RunInChildMarked, EndsWhatTheChildStarted) {
+  EXPECT_EQ(RunShell("(sleep 1; touch " + marker_ + ") & exit 0").failure, "");
+  EXPECT_FALSE(IsWritten());
+}
+
+TEST_F(RunInChildMarked, EndsWhatTheChildStartedInASessionOfItsOwn) {
+  // The shell in between ends first: what goes on is an orphan.
+  const std::string script = "(setsid sh -c 'sleep 1; touch " + marker_ + "' &) ; sleep 0.3";
+  EXPECT_EQ(RunShell(script).failure, "");
+  EXPECT_FALSE(IsWritten());
+}
+
+TEST_F(RunInChildMarked, EndsWhatTheChildStartedThoughItKilledItsParent) {
+  const std::string script =
+      "setsid sh -c 'sleep 1; touch " + marker_ + "' & sleep 0.3; kill -9 $PPID; sleep 600";
+  EXPECT_EQ(RunShell(script).failure, "was ended by a signal: Killed");
+  EXPECT_FALSE(IsWritten());
+}
+
+TEST_F(RunInChildMarked, EndsTheChildWithThisProcess) {
+  const pid_t caller = fork();
+  if (caller == 0) {
+    static_cast<void>(RunShell("sleep 1; touch " + marker_));
+    _exit(0);
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  kill(caller, SIGKILL);
+  EXPECT_EQ(waitpid(caller, nullptr, 0), caller);
+  EXPECT_FALSE(IsWritten());
+}
+
+TEST_F(RunInChildMarked, EndsWhatForksOnAndOn) {
+  // Each process starts the next one in a session of its own and ends; the last one writes.
+  std::ofstream(marker_ + ".sh") << "[ $1 = 0 ] && exec touch " << marker_
+                                 << "\nsetsid sh $0 $(($1 - 1)) &\n";
+  EXPECT_EQ(RunShell("sh " + marker_ + ".sh 300; sleep 0.1").failure, "");
+  EXPECT_FALSE(IsWritten());
+  std::filesystem::remove(marker_ + ".sh");
 }
 
 }  // namespace

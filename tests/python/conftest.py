@@ -10,6 +10,7 @@ from __future__ import annotations
 import hashlib
 import os
 import re
+import shutil
 import subprocess
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -179,6 +180,28 @@ def refuses(girdle: Girdle, tmp_path: Path) -> Refuses:
         return finished.message
 
     return run
+
+
+# --- Python's package mujoco ----------------------------------------------------------------------
+
+
+@pytest.fixture
+def package(tmp_path: Path) -> Path:
+    """Python's package mujoco with a folder of plugins of its own; all else are links."""
+    real = Path(mujoco.__file__).parent
+    copy = tmp_path / "packages" / "mujoco"
+    copy.mkdir(parents=True)
+    for each in real.iterdir():
+        if each.name != "plugin":
+            (copy / each.name).symlink_to(each)
+    ours = shutil.ignore_patterns("libgirdle_rhythm.so")
+    shutil.copytree(real / "plugin", copy / "plugin", ignore=ours)
+    return copy
+
+
+def installed(package: Path) -> Path:
+    """Where the plugin is put that `import mujoco` loads by itself."""
+    return package / "plugin" / "libgirdle_rhythm.so"
 
 
 # --- Models with a change ------------------------------------------------------------------------

@@ -4,10 +4,14 @@
 
 from __future__ import annotations
 
+import os
+import re
 import shutil
 import subprocess
 import sys
 from pathlib import Path
+
+from conftest import Girdle
 
 
 def output_of(*command: str | Path) -> str:
@@ -20,12 +24,14 @@ def test_the_plugin_needs_no_mujoco_library(plugin_library: Path) -> None:
     assert not [line for line in needed if "mujoco" in line]
 
 
-def test_the_plugin_exports_what_tells_its_girdle_and_nothing_else(plugin_library: Path) -> None:
+def test_the_plugin_exports_its_version_and_nothing_else(
+    plugin_library: Path,
+) -> None:
     names = [line.split()[-1] for line in output_of("nm", "-D", "--defined-only", plugin_library).splitlines()]
     assert names == ["girdle_rhythm_version"]
 
 
-def test_the_plugin_tells_its_girdle_in_a_process_without_mujoco(
+def test_the_plugin_says_its_version_in_a_process_without_mujoco(
     plugin_library: Path, program: Path
 ) -> None:
     script = (
@@ -34,7 +40,8 @@ def test_the_plugin_tells_its_girdle_in_a_process_without_mujoco(
         "version.restype = ctypes.c_char_p\n"
         "print('girdle', version().decode())\n"
     )
-    assert output_of(sys.executable, "-c", script, plugin_library) == output_of(program, "--version")
+    said = output_of(sys.executable, "-c", script, plugin_library)
+    assert said == output_of(program, "--version")
 
 
 def test_a_plugin_folder_is_scanned_as_the_simulate_program_does(
@@ -48,3 +55,45 @@ def test_a_plugin_folder_is_scanned_as_the_simulate_program_does(
         "print(mujoco.MjModel.from_xml_path(sys.argv[2]).nplugin)\n"
     )
     assert output_of(sys.executable, "-c", script, tmp_path, model_path) == "1\n"
+
+
+def test_the_installed_plugin_is_loaded_by_import_alone_in_spawned_workers_too(
+    girdle_fine: Girdle, package: Path, model_path: Path, tmp_path: Path
+) -> None:
+    script = tmp_path / "script.py"
+    script.write_text(
+        "import multiprocessing, mujoco, sys\n"
+        "def steps(path):\n"
+        "    model = mujoco.MjModel.from_xml_path(path)\n"
+        "    data = mujoco.MjData(model)\n"
+        "    mujoco.mj_step(model, data)\n"
+        "    return mujoco.__file__, data.time\n"
+        "if __name__ == '__main__':\n"
+        "    with multiprocessing.get_context('spawn').Pool(1) as pool:\n"
+        "        file, time = pool.apply(steps, [sys.argv[1]])\n"
+        "    print(file, time > 0, steps(sys.argv[1])[1] == time)\n"
+    )
+    girdle_fine("doctor", "--install", "--engine", package)
+    finished = subprocess.run(
+        [sys.executable, script, model_path],
+        env={**os.environ, "PYTHONPATH": str(package.parent)},
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert finished.stdout.split() == [str(package / "__init__.py"), "True", "True"]
+
+
+def test_the_report_says_what_mends_a_plugin_that_is_not_found(
+    girdle: Girdle, program: Path, model_path: Path
+) -> None:
+    """The line for Python does; the sentence before it has the words that MuJoCo says."""
+    text = girdle("doctor").text
+    (line,) = re.findall(r"^  Python +(.*)$", text, re.MULTILINE)
+    model = f"mujoco.MjModel.from_xml_path({str(model_path)!r})"
+    command = [sys.executable, "-c"]
+    without = subprocess.run([*command, f"import mujoco; {model}"], capture_output=True, text=True)
+    (words,) = re.findall(r"plugin girdle[.]rhythm not found", without.stderr)
+    assert f'"{words}" means' in text
+    subprocess.run([*command, f"import mujoco; {line}; {model}"], check=True)
+    assert f"  type        {program} doctor --install\n" in text
