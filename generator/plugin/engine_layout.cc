@@ -9,8 +9,7 @@
 namespace girdle {
 namespace {
 
-// In order of their versions, which is not that of mj_version's numbers: 381 is 3.8.1, and 3010000
-// is 3.10.0.
+// Ascending.
 constexpr EngineLayout kLayouts[] = {
 #include "plugin/engine_layouts.inc"
 };
@@ -30,7 +29,7 @@ std::string KnownEngineVersions() {
 }
 
 std::string EngineVersionText(int version) {
-  // Until 3.8 a version was written with three digits.
+  // Until 3.4 a version was written with three digits.
   const int base = version < 1000 ? 10 : 1000;
   return std::to_string(version / (base * base)) + "." + std::to_string(version / base % base) +
          "." + std::to_string(version % base);

@@ -40,7 +40,7 @@ inline constexpr std::uint32_t kNoMember = 0xffffffff;
 /// known.
 [[nodiscard]] const EngineLayout* FindEngineLayout(int version) noexcept;
 
-/// Returns the versions that are known, for a message: "3.3.0 to 4.0.1".
+/// Returns the versions that are known, for a message: "3.2.7 to 4.0.1".
 [[nodiscard]] std::string KnownEngineVersions();
 
 /// Returns "4.0.1" for a number of mj_version.

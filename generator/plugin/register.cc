@@ -82,11 +82,6 @@ int Init(const mjModel* model, mjData* data, int instance) noexcept {
   return -1;
 }
 
-void Destroy(mjData* data, int instance) noexcept {
-  Registry().Remove(data, instance);
-  TicketIn(*data, instance) = 0;
-}
-
 // The controller of an mjData that got its ticket from another mjData, or from another process:
 // its own, or a new one. Null after a warning.
 RhythmController* RecoveredController(const mjModel* model, mjData* data, int instance) noexcept {
@@ -142,7 +137,7 @@ void Register() {
   if (layout == nullptr) {
     engine.warning(
         "%s (Girdle %s) does not know MuJoCo %s, so the plugin %s is not available. Run a MuJoCo "
-        "from %s, or build Girdle anew with that version in scripts/engine_layouts",
+        "from %s, or take a newer Girdle",
         OwnFile().c_str(), GIRDLE_VERSION, engine.version_string(), kPluginName,
         KnownEngineVersions().c_str());
     return;
@@ -165,7 +160,7 @@ void Register() {
   plugin.nstate = +[](const mjModel*, int) { return 0; };
   plugin.nsensordata = +[](const mjModel*, int, int) { return int{sensor_layout::kSize}; };
   plugin.init = +[](const mjModel* m, mjData* d, int instance) { return Init(m, d, instance); };
-  plugin.destroy = +[](mjData* d, int instance) { Destroy(d, instance); };
+  plugin.destroy = +[](mjData* d, int instance) { Registry().Remove(d, instance); };
   plugin.reset = +[](const mjModel*, mjtNum*, void*, int) {};
   plugin.compute = +[](const mjModel* m, mjData* d, int instance, int capability) {
     Compute(m, d, instance, capability);

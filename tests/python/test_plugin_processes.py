@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Girdle authors
 # SPDX-License-Identifier: Apache-2.0
-"""The plugin where data travel: pickles, copies, spawned workers, a second copy of the library.
+"""The plugin where data travel: pickles, copies, a second copy of the library.
 
 Each case runs in a process of its own, because what went wrong here ended the process.
 """
@@ -16,6 +16,7 @@ from pathlib import Path
 
 import mujoco
 import pytest
+from conftest import Girdle, installed
 
 TIMEOUT_S = 60
 
@@ -129,56 +130,6 @@ print("apart")
     assert_says(run(script, plugin_library, model_path, folder=tmp_path), "apart\n")
 
 
-# --- Workers -------------------------------------------------------------------------------------
-
-WORKERS = """
-import multiprocessing
-import sys
-import mujoco
-
-def work(elevation):
-    model = mujoco.MjModel.from_xml_path(sys.argv[1])
-    data = mujoco.MjData(model)
-    data.ctrl[0] = elevation
-    mujoco.mj_step(model, data, 50)
-    return data.qpos.tolist()
-
-if __name__ == "__main__":
-    elevations = [0.2, 0.6, 1.0, 1.4]
-    with multiprocessing.get_context("spawn").Pool(2) as pool:
-        assert pool.map(work, elevations) == [work(each) for each in elevations]
-    print("same")
-"""
-
-
-@pytest.fixture
-def package_with_plugin(plugin_library: Path, tmp_path: Path) -> Path:
-    """A copy of the mujoco package whose own folder of plugins has ours; where Python finds it."""
-    package = Path(mujoco.__file__).parent
-    shutil.copytree(package, tmp_path / "site" / "mujoco", ignore=shutil.ignore_patterns("doc"))
-    for libraries in package.parent.glob("mujoco*.libs"):
-        shutil.copytree(libraries, tmp_path / "site" / libraries.name)
-    shutil.copy(plugin_library, tmp_path / "site" / "mujoco" / "plugin")
-    return tmp_path / "site"
-
-
-def test_spawned_workers_have_the_plugin_of_the_packages_folder(
-    package_with_plugin: Path, model_path: Path, tmp_path: Path
-) -> None:
-    """No line loads it, neither here nor in the workers."""
-    script = tmp_path / "workers.py"
-    script.write_text(WORKERS)
-    finished = subprocess.run(
-        [sys.executable, script, model_path],
-        capture_output=True,
-        cwd=tmp_path,
-        timeout=TIMEOUT_S,
-        check=False,
-        env={**os.environ, "PYTHONPATH": str(package_with_plugin)},
-    )
-    assert_says(finished, "same\n")
-
-
 # --- A second copy -------------------------------------------------------------------------------
 
 LOAD_BOTH = """
@@ -189,10 +140,12 @@ print(len(end(*start())[0]))
 
 
 def test_a_load_line_after_the_packages_folder_does_no_harm(
-    package_with_plugin: Path, plugin_library: Path, model_path: Path, tmp_path: Path
+    girdle_fine: Girdle, package: Path, plugin_library: Path, model_path: Path, tmp_path: Path
 ) -> None:
+    girdle_fine("doctor", "--install", "--engine", package)
+    assert installed(package).is_file()
     script = "load()\nprint(len(end(*start())[0]))"
-    site = str(package_with_plugin)
+    site = str(package.parent)
     finished = run(script, plugin_library, model_path, folder=tmp_path, PYTHONPATH=site)
     assert_says(finished, "9\n")
     assert not (tmp_path / "MUJOCO_LOG.TXT").exists()
