@@ -3,7 +3,6 @@
 
 #include "plugin/controller_registry.h"
 
-#include <bit>
 #include <chrono>
 #include <new>
 
@@ -25,9 +24,12 @@ ControllerRegistry::~ControllerRegistry() {
   }
 }
 
-// Block k begins with place kFirstBlock (2^k - 1).
 std::size_t ControllerRegistry::BlockOf(std::size_t number) noexcept {
-  return static_cast<std::size_t>(std::bit_width(number / kFirstBlock + 1)) - 1;
+  std::size_t block = 0;
+  while (block + 1 < kBlockCount && number >= FirstOf(block + 1)) {
+    ++block;
+  }
+  return block;
 }
 
 ControllerRegistry::Place* ControllerRegistry::PlaceOf(std::uintptr_t ticket) const noexcept {
@@ -37,7 +39,7 @@ ControllerRegistry::Place* ControllerRegistry::PlaceOf(std::uintptr_t ticket) co
   }
   const std::size_t block = BlockOf(number);
   Place* const places = blocks_[block].load(std::memory_order_acquire);
-  return places == nullptr ? nullptr : places + (number - ((kFirstBlock << block) - kFirstBlock));
+  return places == nullptr ? nullptr : places + (number - FirstOf(block));
 }
 
 ControllerRegistry::Place& ControllerRegistry::TakePlace() {

@@ -67,6 +67,10 @@ class ControllerRegistry {
   static constexpr std::size_t kMostPlaces = (kFirstBlock << kBlockCount) - kFirstBlock;
   static_assert(kMostPlaces < std::size_t{1} << kPlaceBits);
 
+  /// Returns the number of the first place of a block, kFirstBlock (2^block - 1).
+  [[nodiscard]] static constexpr std::size_t FirstOf(std::size_t block) noexcept {
+    return (kFirstBlock << block) - kFirstBlock;
+  }
   /// Returns the block of a place.
   [[nodiscard]] static std::size_t BlockOf(std::size_t number) noexcept;
   /// Returns the place of a ticket, or null if there is no such place.

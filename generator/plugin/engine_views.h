@@ -25,10 +25,10 @@ template <typename T>
   return value;
 }
 
-/// Returns the pointer to elements of type T in a member of `base`; null for kNoMember.
+/// Returns the pointer to elements of type T that lies `offset` bytes into `base`.
 template <typename T>
-[[nodiscard]] T* ReadArray(const void* base, std::uint32_t offset) noexcept {
-  return offset == kNoMember ? nullptr : ReadMember<T*>(base, offset);
+[[nodiscard]] T* ReadPointer(const void* base, std::size_t offset) noexcept {
+  return ReadMember<T*>(base, offset);
 }
 
 /// mjModel, to read. Members are those of MuJoCo 4.
@@ -64,14 +64,19 @@ struct DataView {
                     ? ReadMember<std::int32_t>(&model, engine.member) \
                     : ReadMember<std::int64_t>(&model, engine.member);
 #define GIRDLE_MODEL_FLAGS(member, name) view.name = ReadMember<int>(&model, engine.name);
-#define GIRDLE_MODEL_ARRAY(type, member) view.member = ReadArray<const type>(&model, engine.member);
+#define GIRDLE_MODEL_ARRAY(type, member) \
+  view.member = ReadPointer<const type>(&model, engine.member);
+#define GIRDLE_MODEL_OPTIONAL_ARRAY(type, member)                 \
+  if (engine.member != kNoMember) {                               \
+    view.member = ReadPointer<const type>(&model, engine.member); \
+  }
 #include "plugin/engine_members.inc"
   return view;
 }
 
 [[nodiscard]] inline DataView ViewOf(mjData& data, const EngineLayout& engine) noexcept {
   DataView view{};
-#define GIRDLE_DATA_ARRAY(type, member) view.member = ReadArray<type>(&data, engine.member);
+#define GIRDLE_DATA_ARRAY(type, member) view.member = ReadPointer<type>(&data, engine.member);
 #include "plugin/engine_members.inc"
   return view;
 }

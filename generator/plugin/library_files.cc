@@ -37,8 +37,7 @@ std::string DescribedPlugin(const std::string& file) {
     return file;
   }
   const auto version = reinterpret_cast<const char* (*)()>(dlsym(library, kPluginVersionSymbol));
-  const std::string text =
-      version == nullptr ? file : file + " (Girdle " + std::string(version()) + ")";
+  std::string text = version == nullptr ? file : file + " (Girdle " + std::string(version()) + ")";
   dlclose(library);
   return text;
 }

@@ -21,15 +21,11 @@
 namespace girdle {
 namespace {
 
-// Set once while the library is loaded, before MuJoCo can call anything below.
-EngineFunctions engine;                // NOLINT(readability-identifier-naming)
-const EngineLayout* layout = nullptr;  // NOLINT(readability-identifier-naming)
-
-// Never deleted: a program may delete its mjData as the very last.
-ControllerRegistry& Registry() noexcept {
-  static ControllerRegistry& registry = *new ControllerRegistry;
-  return registry;
-}
+// Set once while the library is loaded, before MuJoCo can call anything below. The registry is
+// never deleted: a program may delete its mjData as the very last.
+EngineFunctions engine;                  // NOLINT(readability-identifier-naming)
+const EngineLayout* layout = nullptr;    // NOLINT(readability-identifier-naming)
+ControllerRegistry* registry = nullptr;  // NOLINT(readability-identifier-naming)
 
 std::uintptr_t& TicketIn(mjData& data, int instance) noexcept {
   return ViewOf(data, *layout).plugin_data[instance];
@@ -67,7 +63,7 @@ int Init(const mjModel* model, mjData* data, int instance) noexcept {
   }
   TicketIn(*data, instance) = 0;
   try {
-    TicketIn(*data, instance) = Registry().Add(MakeController(model, instance), data, instance);
+    TicketIn(*data, instance) = registry->Add(MakeController(model, instance), data, instance);
     const std::string fault = EngineFault(engine.version(), ViewOf(*model, *layout), instance,
                                           engine.is_sparse(model) != 0);
     if (!fault.empty()) {
@@ -86,16 +82,16 @@ int Init(const mjModel* model, mjData* data, int instance) noexcept {
 // its own, or a new one. Null after a warning.
 RhythmController* RecoveredController(const mjModel* model, mjData* data, int instance) noexcept {
   std::uintptr_t& ticket = TicketIn(*data, instance);
-  ticket = Registry().TicketOf(data, instance);
+  ticket = registry->TicketOf(data, instance);
   if (ticket == 0 && Init(model, data, instance) != 0) {
     return nullptr;
   }
-  return Registry().Find(ticket, data, instance);
+  return registry->Find(ticket, data, instance);
 }
 
 void Compute(const mjModel* model, mjData* data, int instance, int capability) noexcept {
   const DataView data_view = ViewOf(*data, *layout);
-  RhythmController* controller = Registry().Find(data_view.plugin_data[instance], data, instance);
+  RhythmController* controller = registry->Find(data_view.plugin_data[instance], data, instance);
   if (controller == nullptr) {
     controller = RecoveredController(model, data, instance);
   }
@@ -145,6 +141,7 @@ void Register() {
   if (IsRegistered()) {
     return;
   }
+  registry = new ControllerRegistry;
   static const char* const kAttributes[] = {
       kInterpolationKey,       kClosureKey, kRangeKey, kTableKey, kStiffnessKey, kSideKey,
       kTranslationStiffnessKey};
@@ -160,7 +157,7 @@ void Register() {
   plugin.nstate = +[](const mjModel*, int) { return 0; };
   plugin.nsensordata = +[](const mjModel*, int, int) { return int{sensor_layout::kSize}; };
   plugin.init = +[](const mjModel* m, mjData* d, int instance) { return Init(m, d, instance); };
-  plugin.destroy = +[](mjData* d, int instance) { Registry().Remove(d, instance); };
+  plugin.destroy = +[](mjData* d, int instance) { registry->Remove(d, instance); };
   plugin.reset = +[](const mjModel*, mjtNum*, void*, int) {};
   plugin.compute = +[](const mjModel* m, mjData* d, int instance, int capability) {
     Compute(m, d, instance, capability);
