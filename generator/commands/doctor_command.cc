@@ -74,6 +74,12 @@ std::vector<Place> NamedPlaces(const DoctorArguments& arguments) {
                        ": no such file or folder. Name a library of MuJoCo or the folder of one");
     }
     places.push_back({engine, "--engine " + engine});
+    if (FindEngines({places.back()}).empty()) {
+      throw InputError(
+          "--engine " + engine +
+          ": holds no libmujoco.so. Name a library of MuJoCo, the folder of one or the "
+          "environment of a Python that has it");
+    }
   }
   return places;
 }
@@ -101,8 +107,7 @@ Diagnosis Examine(const DoctorArguments& arguments) {
     std::move(of_machine.begin(), of_machine.end(), std::back_inserter(places));
   }
   for (const Place& place : places) {
-    if ((place.name == "MUJOCO_ROOT" || place.name.starts_with("--engine")) &&
-        FindEngines({place}).empty()) {
+    if (place.name == "MUJOCO_ROOT" && FindEngines({place}).empty()) {
       notes.push_back(place.name + ": " + place.path.string() + " holds no libmujoco.so");
     }
   }
@@ -125,8 +130,8 @@ fs::path ChosenPackage(const DoctorArguments& arguments) {
     if (engines.size() != 1) {
       throw InputError("--engine " + arguments.engines.front() + ": " +
                        std::to_string(engines.size()) +
-                       " libraries of MuJoCo found there, expected one. Name the folder of "
-                       "Python's package, such as .venv/lib/python3.11/site-packages/mujoco");
+                       " libraries of MuJoCo found there, expected one. Name the environment "
+                       "of a Python, such as .venv, or the folder of its package mujoco");
     }
     return engines.front().folder;
   }
@@ -138,10 +143,13 @@ fs::path ChosenPackage(const DoctorArguments& arguments) {
   fs::path package = PackageOf(pythons.front(), problem);
   if (package.empty()) {
     throw InputError(pythons.front().string() +
-                     (problem.empty() ? " has no package mujoco. Type: " +
-                                            ShellWord(pythons.front()) + " -m pip install mujoco"
-                                      : ", asked for its package mujoco, " + problem +
-                                            ". Name the package's folder with --engine"));
+                     (problem.empty()
+                          ? std::string(" has no package mujoco. Activate the environment "
+                                        "that has it, or name that with --engine. To "
+                                        "make one: python3 -m venv .venv && "
+                                        ".venv/bin/pip install mujoco")
+                          : ", asked for its package mujoco, " + problem +
+                                ". Name the package's folder with --engine"));
   }
   return package;
 }
@@ -214,7 +222,8 @@ void AddDoctorCommand(CLI::App& program, int& status) {
   CLI::App* verb =
       program.add_subcommand("doctor", "Which MuJoCo of this machine works with the plugin");
   verb->add_option("--engine", arguments->engines,
-                   "Look at this library of MuJoCo, or in this folder, as well")
+                   "Look at this library of MuJoCo, in this folder or in this environment of a "
+                   "Python as well")
       ->type_name("PATH")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

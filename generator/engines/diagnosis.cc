@@ -25,6 +25,11 @@ EngineDiagnosis DiagnoseEngine(const FoundEngine& library, const std::filesystem
   engine.version = trial.answer;
   engine.works = trial.problem.empty();
   engine.problem = trial.problem;
+  if (engine.works && engine.version == "4.0.0") {
+    engine.caution =
+        "solves models of 60 degrees of freedom or more wrongly without <option "
+        "jacobian=\"dense\"/>";
+  }
   if (engine.version.empty()) {
     const std::filesystem::path python = PythonOf(library.folder);
     engine.fix = (python.empty() ? "python3" : ShellWord(python)) +
@@ -69,6 +74,7 @@ void AppendEngine(std::ostream& out, const EngineDiagnosis& engine) {
   out << "MuJoCo " << (engine.version.empty() ? "?" : engine.version) << "  "
       << (engine.works ? "works" : "") << (engine.works && !engine.problem.empty() ? "; " : "")
       << engine.problem << "\n";
+  AppendRow(out, "heed", engine.caution);
   AppendRow(out, "library", engine.library.file.string());
   AppendRow(out, "found by", Joined(engine.library.found_by));
   AppendRow(out, "installed", engine.copy.string());
@@ -87,6 +93,10 @@ void AppendPlugin(std::ostream& out, const Diagnosis& diagnosis) {
   out << "plugin  " << (plugin.problem.empty() ? "of Girdle " + plugin.version : plugin.problem)
       << "\n";
   AppendRow(out, "library", plugin.file.string());
+  if (!plugin.problem.empty()) {
+    out << "  This is not Girdle's plugin. Name libgirdle_rhythm.so, which scripts/run builds.\n\n";
+    return;
+  }
   out << "  \"plugin girdle.rhythm not found\" means that nothing loaded it. Load it before the "
          "model:\n";
   AppendRow(out, "Python", "mujoco.mj_loadPluginLibrary(" + file + ")");
@@ -185,7 +195,8 @@ std::string DiagnosisAsJson(const Diagnosis& diagnosis) {
                        {"works", engine.works},
                        {"installed", engine.copy.string()},
                        {"problem", engine.problem},
-                       {"fix", engine.fix}});
+                       {"fix", engine.fix},
+                       {"caution", engine.caution}});
   }
   const auto tool = [](const ToolDiagnosis& value) {
     return Json({{"found", value.found}, {"problem", value.problem}, {"fix", value.fix}});

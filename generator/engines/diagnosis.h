@@ -21,6 +21,7 @@ struct EngineDiagnosis {
   std::filesystem::path copy;
   std::string problem;  ///< empty if all is well
   std::string fix;      ///< a line for the shell; empty if none is needed or known
+  std::string caution;  ///< what to heed where it works; empty if there is nothing
 };
 
 /// The plugin that engines are tried with.

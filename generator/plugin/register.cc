@@ -118,7 +118,9 @@ bool IsRegistered() {
   const std::string second = OwnFile();
   if (!HaveTheSameBytes(first, second)) {
     engine.warning(
-        "%s of %s is not used, because this process has the plugin of %s already. Load one of them",
+        "%s of %s is not used, because this process has the plugin of %s already. Load one of "
+        "them; after an "
+        "update `girdle doctor --install` puts the new one into Python's folder",
         kPluginName, DescribedPlugin(second).c_str(), DescribedPlugin(first).c_str());
   }
   return true;

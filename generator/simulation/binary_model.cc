@@ -43,8 +43,8 @@ mjModel ReadSizes(const std::string& path, std::ifstream& in) {
     throw InputError(path + ": is no binary model (MJB) of MuJoCo" + kFix);
   }
   if (header[3] != mj_version()) {
-    throw InputError(path + ": was saved by another version of MuJoCo. Save it with MuJoCo " +
-                     mj_versionString() + ", give its XML or make it anew with girdle generate");
+    throw InputError(path + ": was saved by another version of MuJoCo than " + mj_versionString() +
+                     ", which runs here" + kFix);
   }
   mjModel sizes{};
 #define X(name) Read(in, sizes.name);

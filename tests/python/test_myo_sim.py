@@ -292,7 +292,7 @@ def test_a_model_that_another_mujoco_compiled_is_refused(
     if own_version == PEERS_VERSION:
         assert girdle(*command).code == 0
     else:
-        because = f"another version of MuJoCo. Save it with MuJoCo {own_version}, give its XML"
+        because = f"another version of MuJoCo than {own_version}, which runs here. Give its XML"
         refuses(*command, because=(re.escape(f"{arm.binary}: "), re.escape(because)))
 
 

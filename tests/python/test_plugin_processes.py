@@ -171,7 +171,7 @@ def test_the_plugin_of_another_girdle_is_not_used_and_says_so(
     version = r"\(Girdle \d+\.\d+\.\d+\)"
     expected = (
         rf"girdle\.rhythm of {re.escape(str(other))} {version} is not used, because this process "
-        rf"has the plugin of {re.escape(str(plugin_library))} {version} already\. Load one of them"
+        rf"has the plugin of {re.escape(str(plugin_library))} {version} already\. Load one of them; after an update `girdle doctor --install`"
     )
     assert re.search(expected, said), said
 

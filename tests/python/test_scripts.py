@@ -105,6 +105,9 @@ def test_a_certificate_that_node_does_not_trust_is_named(
     programs = tmp_path / "programs"
     write_program(programs / "python3", PYTHON)
     write_program(programs / "npm", f"#!/bin/sh\necho npm error code {code} >&2\nexit 1\n")
+    header = tmp_path / "include" / "mujoco" / "mujoco.h"
+    header.parent.mkdir(parents=True)
+    header.touch()
     finished = run(
         checkout / "scripts" / "setup",
         "--python",
@@ -116,6 +119,13 @@ def test_a_certificate_that_node_does_not_trust_is_named(
     assert f"npm error code {code}" in finished.stderr
     assert ("NODE_EXTRA_CA_CERTS" in finished.stderr) == is_about_certificates
     assert not (checkout / "build" / "node" / ".stamp").exists()
+
+
+def test_a_mujoco_root_without_headers_is_refused(checkout: Path, tmp_path: Path) -> None:
+    setup = checkout / "scripts" / "setup"
+    finished = run(setup, GIRDLE_SKIP_PACKAGES="1", MUJOCO_ROOT=str(tmp_path))
+    assert finished.returncode == 2
+    assert f"MUJOCO_ROOT is {tmp_path}, and there is no include/mujoco/mujoco.h" in finished.stderr
 
 
 @pytest.mark.parametrize("script", ["configure", "figures", "fresh", "run", "seeds", "setup", "test"])
