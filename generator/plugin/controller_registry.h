@@ -33,12 +33,13 @@ class ControllerRegistry {
   ControllerRegistry& operator=(const ControllerRegistry&) = delete;
   ~ControllerRegistry();
 
-  /// Takes a controller in and returns its ticket, never 0. One of the same mjData and instance is
-  /// deleted. Throws std::bad_alloc.
+  /// Takes a controller in and returns its ticket, never 0. If this mjData and instance have a
+  /// controller already, that is deleted. Throws std::bad_alloc.
   std::uintptr_t Add(std::unique_ptr<RhythmController> controller, const mjData* data,
                      int instance);
 
   /// Returns the controller of this mjData and instance, or null if `ticket` does not lead to it.
+  /// It is valid until Add or Remove is called for the same two.
   [[nodiscard]] RhythmController* Find(std::uintptr_t ticket, const mjData* data,
                                        int instance) const noexcept;
 
@@ -79,7 +80,7 @@ class ControllerRegistry {
 
   std::array<std::atomic<Place*>, kBlockCount> blocks_{};
 
-  std::mutex mutex_;  ///< of what follows, and of all changes
+  std::mutex mutex_;  ///< guards the members below, and every change
   std::map<std::pair<const mjData*, int>, std::uintptr_t> tickets_;
   Place* first_free_ = nullptr;
   std::size_t place_count_ = 0;  ///< of those that were ever used

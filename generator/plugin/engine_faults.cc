@@ -10,8 +10,8 @@ namespace {
 
 constexpr int kWrongWhereSparse = 4000000;
 constexpr int kAttachesInDegrees = 330;
-// The widest range of a shoulder is that of an axial rotation, some 300 degrees: as many radians
-// taken for degrees are a tenth of this, and no arm that moves has so little [rad].
+// Our models' widest range, of gh_axial, is 240 degrees = 4.2 rad. 4.2 degrees are 0.07 rad, and no
+// arm that moves has a widest range of less than 11 degrees [rad].
 constexpr double kNoRangeOfAShoulder_rad = 0.2;
 
 // The widest range of the hinges that the instance drives [rad].
@@ -43,7 +43,9 @@ std::string EngineFault(int version, const ModelView& model, int instance, bool 
     if (widest_rad > 0 && widest_rad < kNoRangeOfAShoulder_rad) {
       return "MuJoCo 3.3.0 took the joint ranges of an attached model, in radians, for degrees. "
              "Set "
-             "compiler.degree of the parent to False before you attach, or run another version";
+             "compiler.degree of the parent to False (in XML: <compiler angle=\"radian\"/>) before "
+             "you "
+             "attach, or run another version";
     }
   }
   return "";

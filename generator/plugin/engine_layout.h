@@ -18,8 +18,8 @@ struct EngineLayout {
   int version;            ///< as mj_version gives it: 330 for 3.3.0, 3010000 for 3.10.0
   int count_size;         ///< of a count in mjModel [bytes], 4 or 8
   struct Buffer {         ///< where all arrays of a struct lie
-    std::uint32_t begin;  ///< of the pointer
-    std::uint32_t size;   ///< of the member that has the size in bytes, 64 bits
+    std::uint32_t begin;  ///< offset of the pointer to it
+    std::uint32_t size;   ///< offset of its size in bytes, which has 64 bits
   };
   Buffer model_buffer;
   Buffer data_buffer;
@@ -32,8 +32,8 @@ struct EngineLayout {
 #include "plugin/engine_members.inc"
 };
 
-/// Stands for the offset of a member that a version does not have. Such are actuator_ctrladr and
-/// actuator_outadr before 3.11: actuator, control and force then have one number.
+/// Stands for the offset of a member that a version does not have. Before 3.11 there are no
+/// actuator_ctrladr and actuator_outadr: actuator, control and force then have one number.
 inline constexpr std::uint32_t kNoMember = 0xffffffff;
 
 /// Returns the layout of the version that mj_version gives as `version`, or null if it is not

@@ -6,8 +6,8 @@
 namespace girdle {
 namespace {
 
-// Whether the pointer at `offset` leads into the buffer that holds all arrays of the struct. Of an
-// array without elements it may lead to its end, or nowhere.
+// Whether the pointer at `offset` leads into the buffer that holds all arrays of the struct. The
+// pointer of an array without elements may lead to the buffer's end, or be null.
 bool LeadsIntoBuffer(const void* base, const EngineLayout::Buffer& buffer,
                      std::uint32_t offset) noexcept {
   const auto begin = ReadMember<std::uintptr_t>(base, buffer.begin);

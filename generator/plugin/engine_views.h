@@ -82,8 +82,8 @@ struct DataView {
 }
 
 /// Returns whether all arrays of both structs lie where MuJoCo keeps arrays, and an instance of the
-/// plugin is called `name`, as the engine itself says. It is not so in an engine that has another
-/// layout than the version that it names.
+/// plugin is called `name`, as the engine itself says; a null `name` is not compared. They do not
+/// in an engine that has another layout than the version that it names.
 [[nodiscard]] bool LayoutFits(const mjModel& model, const mjData& data, const EngineLayout& engine,
                               int instance, const char* name) noexcept;
 

@@ -57,7 +57,7 @@ int Init(const mjModel* model, mjData* data, int instance) noexcept {
   if (!LayoutFits(*model, *data, *layout, instance, name)) {
     engine.warning(
         "%s: this MuJoCo says that it is version %s, but its mjModel is laid out in another way. "
-        "Run a MuJoCo as it was published, for example of pip install mujoco",
+        "Run a published MuJoCo, for example the one of `pip install mujoco`",
         kPluginName, engine.version_string());
     return -1;
   }

@@ -13,7 +13,7 @@
 namespace girdle::engine_layout_test {
 namespace {
 
-// Of versions that have members in other places than those that these tests run with.
+// Versions that have members in other places than the one that these tests run with.
 constexpr int kOthers[] = {330, 340, 3005000, 3010000};
 
 using EngineLayoutTest = PluginTest;
@@ -70,6 +70,9 @@ TEST_F(EngineLayoutTest, NamesElsewhereDoNotFit) {
 TEST_F(EngineLayoutTest, APointerOutOfTheBufferDoesNotFit) {
   EngineLayout layout = *FindEngineLayout(mj_version());
   const char* const name = mj_id2name(model_.get(), mjOBJ_PLUGIN, 0);
+  layout.eq_type = offsetof(mjModel, opt);  // a time step, as a pointer some 10^18
+  EXPECT_FALSE(LayoutFits(*model_, *data_, layout, 0, name));
+  layout = *FindEngineLayout(mj_version());
   layout.ctrl = offsetof(mjData, time);
   data_->time = 1;  // as a pointer some 10^18
   EXPECT_FALSE(LayoutFits(*model_, *data_, layout, 0, name));

@@ -53,7 +53,7 @@ SAME_RAD = 1e-9
 COUNTS_MOTION = VERSION >= (3, 7)
 SAME_IN_A_LOOP_RAD = SAME_RAD if COUNTS_MOTION else 1e-3
 
-# Of the design's table of residuals.
+# The tolerances of `girdle verify`.
 TREE_GAP_MM = 1e-6
 LOOP_GAP_AT_REST_MM = 0.05
 LOOP_GAP_MOVING_MM = 0.1
@@ -152,6 +152,40 @@ def test_every_joint_is_at_every_step_where_the_program_has_it(
             data.ctrl[:] = controls[step]
         mujoco.mj_step(model, data)
     assert moved > 30, "nothing moves"
+
+
+# From 3.11 on an actuator may have several controls and forces: this one four and three.
+ORIENTATION = """
+<mujoco>
+  <option timestep="0.002" integrator="implicitfast"/>
+  <worldbody>
+    <body pos="0 0 3"><joint name="head" type="ball" damping="1"/><geom size="0.1"/></body>
+  </worldbody>
+  <actuator><orientation joint="head" kp="1" input="quat"/></actuator>
+</mujoco>
+"""
+
+
+@pytest.mark.skipif(VERSION < (3, 11), reason="an actuator has one control and one force")
+def test_actuators_of_several_controls_before_ours_change_nothing() -> None:
+    shoulder = mujoco.MjSpec.from_file(str(MODELS / "shoulder_tree" / "shoulder_right.xml"))
+    parent = mujoco.MjSpec.from_string(ORIENTATION)
+    parent.worldbody.add_frame().attach_body(shoulder.body("thorax"), "her_", "")
+    both = parent.compile()
+    assert both.nu == both.nactuator + 3
+    alone, alone_data = load(MODELS / "shoulder_tree" / "shoulder_right.xml")
+    data = mujoco.MjData(both)
+    for step in range(200):
+        for each, prefix in ((data, "her_"), (alone_data, "")):
+            each.actuator(prefix + "elevation_r").ctrl[0] = 1 - math.cos(0.02 * step)
+            each.actuator(prefix + "ac_tilt_r").ctrl[0] = 0.1
+        mujoco.mj_step(both, data)
+        mujoco.mj_step(alone, alone_data)
+    for k in range(9):
+        name = alone.joint(k).name
+        expected = alone_data.joint(name).qpos[0]
+        assert data.joint("her_" + name).qpos[0] == pytest.approx(expected, abs=SAME_RAD), name
+    assert abs(alone_data.joint("gh_elevation_r").qpos[0] - alone.qpos0[6]) > 0.3, "nothing moves"
 
 
 # --- The lines of the report ---------------------------------------------------------------------

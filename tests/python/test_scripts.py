@@ -57,14 +57,14 @@ def checkout(tmp_path: Path) -> Path:
 @pytest.fixture
 def old_cmake(tmp_path: Path) -> Path:
     """A folder with a cmake that is too old."""
-    write_program(tmp_path / "old" / "cmake", "#!/bin/sh\necho cmake version 3.22.1\n")
+    write_program(tmp_path / "old" / "cmake", "#!/bin/sh\necho cmake version 3.9.1\n")
     return tmp_path / "old"
 
 
 def test_an_old_cmake_is_passed_over_and_named(checkout: Path, old_cmake: Path) -> None:
     finished = run(checkout / "scripts" / "configure", path=old_cmake)
     assert finished.returncode == 0, finished.stderr
-    assert f"{old_cmake}/cmake is CMake 3.22.1, and 3.25 or newer is needed" in finished.stderr
+    assert f"{old_cmake}/cmake is CMake 3.9.1, and 3.25 or newer is needed" in finished.stderr
     taken = finished.stdout.strip()
     assert f"taking {taken} (" in finished.stderr
     assert Path(taken).is_file()
@@ -76,7 +76,7 @@ def test_setup_without_a_new_enough_cmake_is_refused(checkout: Path, old_cmake: 
     top.write_text(top.read_text().replace("3.25...3.31", "99.1...99.2"))
     finished = run(checkout / "scripts" / "setup", path=old_cmake, GIRDLE_SKIP_PACKAGES="1")
     assert finished.returncode == 2
-    assert f"{old_cmake}/cmake is CMake 3.22.1, and 99.1 or newer is needed" in finished.stderr
+    assert f"{old_cmake}/cmake is CMake 3.9.1, and 99.1 or newer is needed" in finished.stderr
     assert "pip install 'cmake>=99.1'" in finished.stderr
     assert not (checkout / "build").exists()
 
