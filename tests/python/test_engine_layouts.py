@@ -38,13 +38,14 @@ def test_there_is_a_row_for_every_pinned_version() -> None:
 
 @pytest.fixture
 def other_checkout(tmp_path: Path) -> Path:
-    """What the script reads, with one version's headers, to be changed."""
+    """What the script reads, with two versions' headers, to be changed."""
     for path in (SCRIPT, TABLE, TABLE.parent / "engine_members.inc", PINS / "engines.txt"):
         copied = tmp_path / path.relative_to(ROOT)
         copied.parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(path, copied)
-    include = Path("build/engine/mujoco-3.4.0/mujoco/include")
-    shutil.copytree(ROOT / include, tmp_path / include)
+    for version in ("3.4.0", "3.17.0"):
+        include = Path(f"build/engine/mujoco-{version}/mujoco/include")
+        shutil.copytree(ROOT / include, tmp_path / include)
     return tmp_path
 
 
@@ -63,13 +64,24 @@ def test_a_row_that_is_wrong_by_one_byte_is_seen(other_checkout: Path) -> None:
     assert "the row of MuJoCo 3.4.0 is not what its headers say" in finished.stdout
 
 
-def test_a_member_of_another_type_is_refused(other_checkout: Path) -> None:
-    header = other_checkout / "build/engine/mujoco-3.4.0/mujoco/include/mujoco/mjmodel.h"
-    replace(header, "mjtNum*   jnt_range;", "float*   jnt_range;")
-    finished = check(other_checkout, "3.4.0")
-    assert finished.returncode == 2
-    assert "MuJoCo 3.4.0 has something that the plugin does not know" in finished.stderr
-    assert "jnt_range" in finished.stderr
+CHANGES = {
+    "a member of another type": ("3.4.0", "mjmodel.h", "mjtNum*   jnt_range;", "float*   jnt_range;"),
+    "a member of another name": ("3.17.0", "mjmodel.h", " actuator_ctrladr;", " actuator_ctrl_adr;"),
+    "a count of another name": ("3.17.0", "mjmodel.h", "mjtSize nactuator;", "mjtSize n_actuator;"),
+    "a plugin laid out otherwise": ("3.17.0", "mjplugin.h", "  int needstage;", "  int more; int needstage;"),
+    "a longer plugin": ("3.17.0", "mjplugin.h", "} mjpPlugin;", "void* more; } mjpPlugin;"),
+}
+
+
+@pytest.mark.parametrize(("version", "header", "old", "new"), CHANGES.values(), ids=CHANGES.keys())
+def test_what_the_plugin_does_not_know_is_refused(
+    other_checkout: Path, version: str, header: str, old: str, new: str
+) -> None:
+    include = other_checkout / f"build/engine/mujoco-{version}/mujoco/include/mujoco"
+    replace(include / header, old, new)
+    finished = check(other_checkout, version)
+    assert finished.returncode == 2, finished.stdout
+    assert f"MuJoCo {version} has something that the plugin does not know" in finished.stderr
 
 
 def test_a_version_that_is_not_pinned_is_refused() -> None:

@@ -104,7 +104,9 @@ def test_a_certificate_that_node_does_not_trust_is_named(
 ) -> None:
     programs = tmp_path / "programs"
     write_program(programs / "python3", PYTHON)
-    write_program(programs / "npm", f"#!/bin/sh\necho npm error code {code} >&2\nexit 1\n")
+    says_bundle = 'echo "bundle: $NODE_EXTRA_CA_CERTS" >&2'
+    npm = f"#!/bin/sh\necho npm error code {code} >&2\n{says_bundle}\nexit 1\n"
+    write_program(programs / "npm", npm)
     header = tmp_path / "include" / "mujoco" / "mujoco.h"
     header.parent.mkdir(parents=True)
     header.touch()
@@ -114,8 +116,12 @@ def test_a_certificate_that_node_does_not_trust_is_named(
         path=programs,
         GIRDLE_SKIP_PACKAGES="1",
         MUJOCO_ROOT=str(tmp_path),
+        NODE_EXTRA_CA_CERTS="",
     )
     assert finished.returncode == 1
+    # What the system trusts, if setup finds it.
+    system = Path("/etc/ssl/certs/ca-certificates.crt")
+    assert f"bundle: {system if system.is_file() else ''}\n" in finished.stderr
     assert f"npm error code {code}" in finished.stderr
     assert ("NODE_EXTRA_CA_CERTS" in finished.stderr) == is_about_certificates
     assert not (checkout / "build" / "node" / ".stamp").exists()

@@ -509,6 +509,20 @@ INSTANTIATE_TEST_SUITE_P(
                  "actuator \"ac_tilt_r\" does not act on a hinge"}),
     [](const auto& parameter) { return parameter.param.name; });
 
+// An actuator that names no instance has one of its own, without a name.
+TEST_F(PluginTest, AnInstanceWithoutANameIsRefusedWithTheFixToo) {
+  try {
+    (void)LoadedModel(Replaced(ShoulderXml(), "<plugin name=\"ac_tilt_r\"",
+                               "<plugin name=\"own\" joint=\"ac_tilt_r\" plugin=\"girdle.rhythm\"/>"
+                               "<plugin name=\"ac_tilt_r\""));
+    FAIL() << "loaded";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("instance \"\": actuator \"own\" is a servo"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
 TEST_F(PluginTest, UnknownConfigurationIsRefusedByMuJoCo) {
   try {
     (void)LoadedModel(Replaced(ShoulderXml(), "key=\"kp\"", "key=\"stiffness\""));
