@@ -353,9 +353,18 @@ def test_an_engine_may_be_named_by_its_environment(doctor: Doctor, tmp_path: Pat
 
 def test_it_asks_every_python_on_the_path(doctor: Doctor, tmp_path: Path) -> None:
     library = fake_engine(tmp_path / "packages" / "mujoco", ODD)
-    python = write_python(tmp_path / "bin", f"echo '{library.parent}'")
+    python = write_python(tmp_path / "bin", f"echo 'girdle:{library.parent}'")
     found = doctor(PATH=f"{python.parent}:{os.environ['PATH']}").engine(library)
     assert found["found_by"] == [str(python)]
+
+
+def test_a_python_may_print_lines_of_its_own(doctor: Doctor, tmp_path: Path) -> None:
+    """A script that starts the real one, which ends with what the script was given."""
+    wrapper = f"printf 'conda: activated'; '{sys.executable}' \"$@\"; echo conda: done"
+    python = write_python(tmp_path / "bin", wrapper)
+    report = doctor(PATH=f"{python.parent}:{os.environ['PATH']}")
+    (found,) = [e for e in report.content["engines"] if str(python) in e["found_by"]]
+    assert found["library"].startswith(str(Path(mujoco.__file__).parent))
 
 
 def test_it_finds_what_a_user_has_installed_for_himself(doctor: Doctor, tmp_path: Path) -> None:
@@ -402,6 +411,28 @@ def test_a_python_below_a_relative_entry_of_the_path_is_not_run(
     report = doctor(PATH=f"{path}:{os.environ['PATH']}:{path}")
     assert not marker.exists()
     assert not [note for note in report.content["notes"] if "python3" in note]
+
+
+@pytest.mark.parametrize("answer", ["girdle:packages/mujoco", "girdle:.", "packages/mujoco", ""])
+def test_a_python_that_answers_no_whole_path_leads_to_nothing(
+    doctor: Doctor, tmp_path: Path, answer: str
+) -> None:
+    fake_engine(tmp_path / "packages" / "mujoco", ODD)
+    python = write_python(tmp_path / "bin", f"echo {answer}")
+    report = doctor(PATH=f"{python.parent}:{os.environ['PATH']}")
+    assert ODD not in [engine["version"] for engine in report.content["engines"]]
+    problem = "asked for its package mujoco, gave another answer than a whole path"
+    assert f"{python}, {problem}" in report.content["notes"]
+
+
+def test_a_program_that_loads_no_mujoco_leads_to_nothing(lone_program: Path, tmp_path: Path) -> None:
+    program = Path(shutil.copy(lone_program, tmp_path))
+    compile_library(tmp_path / "libgirdle_simulation.so", "int unrelated;")
+    fake_engine(tmp_path / "lib", ODD)
+    report = report_of(run_doctor(program, tmp_path, "--json"))
+    assert ODD not in [engine["version"] for engine in report.content["engines"]]
+    problem = "loads no libmujoco.so by a whole path"
+    assert f"this program cannot run MuJoCo: {problem}" in report.content["notes"]
 
 
 @pytest.mark.parametrize("is_on_path", [False, True])
@@ -487,8 +518,8 @@ def test_a_library_that_is_hostile_harms_no_other(
 def test_it_installs_for_the_first_python_on_the_path(
     program: Path, package: Path, tmp_path: Path
 ) -> None:
-    first = write_python(tmp_path / "first", f"echo '{package}'")
-    second = write_python(tmp_path / "second", "echo /nowhere")
+    first = write_python(tmp_path / "first", f"echo 'girdle:{package}'")
+    second = write_python(tmp_path / "second", "echo girdle:/nowhere")
     finished = run_doctor(program, tmp_path, "--install", PATH=f"{first.parent}:{second.parent}")
     assert (finished.returncode, finished.stderr) == (0, "")
     assert installed(package).is_file()
@@ -622,7 +653,7 @@ def test_a_file_that_cannot_be_replaced_leaves_no_part_of_another(
 
 
 def test_a_python_without_mujoco_is_told_what_to_type(program: Path, tmp_path: Path) -> None:
-    python = write_python(tmp_path / "bin", "echo")
+    python = write_python(tmp_path / "bin", "echo girdle:")
     finished = run_doctor(program, tmp_path, "--install", PATH=str(python.parent))
     assert finished.returncode == 2
     assert f"{python} has no package mujoco. Activate the environment that has it" in finished.stderr
