@@ -591,7 +591,7 @@ def test_uninstalling_leaves_the_package_as_it_was(girdle_fine: Girdle, package:
     girdle_fine("doctor", "--install", "--engine", package)
     assert contents(package) != before
     text = girdle_fine("doctor", "--uninstall", "--engine", package).text
-    assert text == f"took away {installed(package)}\n"
+    assert text == f"removed {installed(package)}\n"
     assert contents(package) == before
     text = girdle_fine("doctor", "--uninstall", "--engine", package).text
     assert text == f"is not there: {installed(package)}\n"
@@ -605,6 +605,32 @@ def test_a_plugin_that_does_not_work_is_not_installed(
     finished = girdle("doctor", "--install", "--engine", package, "--plugin", broken)
     expect_one_message(finished, "which is not installed: registers no plugin girdle.rhythm")
     assert contents(package) == before
+
+
+@pytest.mark.parametrize("is_there", [False, True])
+def test_a_plugin_that_does_not_work_where_it_would_be_is_not_installed(
+    girdle: Girdle, plugin_library: Path, package: Path, tmp_path: Path, is_there: bool
+) -> None:
+    """What was there stays."""
+    code = f"""
+      #include <dlfcn.h>
+      #include <cstring>
+      __attribute__((constructor)) static void load() {{
+        Dl_info own;
+        dladdr(reinterpret_cast<void*>(load), &own);
+        if (std::strstr(own.dli_fname, "{package}") == nullptr) {{
+          dlopen("{plugin_library}", RTLD_NOW);
+        }}
+      }}
+    """
+    moody = compile_library(tmp_path / "libgirdle_rhythm.so", code)
+    if is_there:
+        shutil.copy(plugin_library, installed(package))
+    before = contents(package)
+    finished = girdle("doctor", "--install", "--engine", package, "--plugin", moody)
+    expect_one_message(finished, "which is not installed: registers no plugin girdle.rhythm")
+    assert contents(package) == before
+    assert girdle("doctor", "--only", "--engine", package, "--plugin", moody).code == 0
 
 
 # --- Bad input ------------------------------------------------------------------------------------
@@ -630,22 +656,33 @@ def test_an_empty_engine_is_refused(girdle: Girdle) -> None:
     expect_one_message(girdle("doctor", "--engine", ""), "--engine '': is empty")
 
 
-def test_a_folder_of_plugins_that_cannot_be_written_is_told_with_the_fix(
-    refuses: Refuses, program: Path, package: Path
+def test_a_folder_of_plugins_that_is_none_is_told(
+    refuses: Refuses, package: Path
 ) -> None:
-    """A file in its place stops the superuser too."""
+    """Other rights would not help."""
     shutil.rmtree(package / "plugin")
     (package / "plugin").touch()
+    cannot = f"{installed(package)}: cannot be"
+    for words, failure in (("--install", "written"), ("--uninstall", "removed")):
+        because = f"{cannot} {failure}: Not a directory\n"
+        message = refuses("doctor", words, "--engine", package, because=(because,))
+        assert "sudo" not in message
+
+
+def test_a_folder_of_plugins_that_another_user_may_write_is_told_with_the_fix(
+    refuses: Refuses, program: Path, package: Path
+) -> None:
+    """In /sys not even the superuser can make a file."""
+    shutil.rmtree(package / "plugin")
+    (package / "plugin").symlink_to("/sys/kernel")
     refuses(
         *("doctor", "--install", "--engine", package),
         because=(
-            f"{installed(package)}: cannot be written: Not a directory",
+            f"{installed(package)}: cannot be written: ",
             f"sudo {program} doctor --install --engine {package}",
             "virtual environment",
         ),
     )
-    message = refuses("doctor", "--uninstall", "--engine", package, because=("cannot be taken away",))
-    assert f"sudo rm {installed(package)}" in message
 
 
 def test_a_file_that_cannot_be_replaced_leaves_no_part_of_another(
@@ -677,6 +714,7 @@ def test_a_library_outside_of_a_package_is_refused(refuses: Refuses, engine: Pat
     refuses("doctor", "--install", "--engine", "release", because=("is not Python's package mujoco",))
 
 
-@pytest.mark.parametrize("other", ["--uninstall", "--json", "--only"])
+@pytest.mark.parametrize("other", ["--uninstall", "--json", "--only", "--engine=. --engine=."])
 def test_what_makes_no_sense_with_install_is_refused(refuses: Refuses, other: str) -> None:
-    refuses("doctor", "--install", other, because=("--install and --uninstall: each goes",))
+    because = "--install and --uninstall: each goes with one --engine and --plugin alone"
+    refuses("doctor", "--install", *other.split(), because=(because,))
