@@ -23,10 +23,10 @@ from conftest import PROGRAM_TIMEOUT_S, Girdle, Refuses, contents, expect_one_me
 ODD = "3.2.1"
 
 
-def compile_library(path: Path, code: str) -> Path:
+def compile_library(path: Path, code: str, *linked: str | Path) -> Path:
     path.parent.mkdir(parents=True, exist_ok=True)
     subprocess.run(
-        [os.environ.get("CXX", "c++"), "-shared", "-fPIC", "-x", "c++", "-", "-o", path],
+        [os.environ.get("CXX", "c++"), "-shared", "-fPIC", "-x", "c++", "-", "-o", path, *linked],
         input=code.encode(),
         check=True,
     )
@@ -263,6 +263,66 @@ def test_a_warning_of_the_plugin_is_the_problem_in_one_line(
     report = doctor("--only", "--engine", engine, "--plugin", plugin)
     assert report.code == 1
     assert report.engine(engine)["problem"] == "too old:  [31minstall another"
+
+
+# What stands in for a function of MuJoCo, and the problem that this is. `real` is that function.
+MOODY_ENGINES: dict[str, tuple[str, str]] = {
+    "steps nothing": ("void mj_step(void*, void*) {}", "does not step a model"),
+    "warns at the start": (
+        """void* mj_makeData(void* model) {
+          mju_warning("no shoulder");
+          return real<void*(void*)>("mj_makeData")(model);
+        }""",
+        "no shoulder",
+    ),
+    "warns in a step": (
+        """void mj_step(void* model, void* data) {
+          real<void(void*, void*)>("mj_step")(model, data);
+          mju_warning("unstable");
+        }""",
+        "unstable",
+    ),
+    "fails in a step": (
+        """void mj_step(void* model, void* data) {
+          static int steps = 0;
+          real<void(void*, void*)>("mj_step")(model, data);
+          if (++steps == 5) {  // MuJoCo's own step of a model that it loads passes
+            mju_error("broken");
+          }
+        }""",
+        "broken",
+    ),
+    "is given a shoulder with the plugin": (
+        """void* mj_parseXMLString(const char* xml, void*, char*, int) {
+          const bool is_ours = std::strstr(xml, "<instance") && std::strstr(xml, "girdle.rhythm");
+          mju_error(is_ours ? "ours" : xml);
+          return nullptr;
+        }""",
+        "ours",
+    ),
+}
+
+
+@pytest.mark.parametrize(("code", "problem"), MOODY_ENGINES.values(), ids=MOODY_ENGINES.keys())
+def test_an_engine_that_works_but_for_one_function_does_not_work(
+    doctor: Doctor, engine: Path, plugin_library: Path, tmp_path: Path, code: str, problem: str
+) -> None:
+    """All else is that of the real one, which it is linked with."""
+    code = f"""
+      #include <dlfcn.h>
+      #include <cstring>
+      extern "C" void mju_warning(const char*, ...);
+      extern "C" void mju_error(const char*, ...);
+      template <typename F> F* real(const char* name) {{
+        return reinterpret_cast<F*>(dlsym(RTLD_NEXT, name));
+      }}
+      extern "C" {{ {code} }}
+    """
+    linked = ("-Wl,--no-as-needed", "-xnone", engine, f"-Wl,-rpath,{engine.parent}")
+    moody = compile_library(tmp_path / "lib" / "libmujoco.so.9.9.9", code, *linked)
+    report = doctor("--only", "--engine", moody, "--plugin", plugin_library)
+    assert report.code == 1
+    assert report.engine(moody)["problem"] == problem
 
 
 def test_of_two_engines_each_has_its_own_answer(
