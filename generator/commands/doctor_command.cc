@@ -154,6 +154,9 @@ fs::path ChosenPackage(const DoctorArguments& arguments) {
   return package;
 }
 
+// Whether another user may do what failed for this reason.
+bool NeedsRights(int failure) { return failure == EACCES || failure == EPERM || failure == EROFS; }
+
 void Install(const DoctorArguments& arguments) {
   const fs::path package = ChosenPackage(arguments);
   const fs::path plugin = Plugin(arguments);
@@ -164,16 +167,16 @@ void Install(const DoctorArguments& arguments) {
                      ": is not Python's package mujoco. Make it with pip install mujoco; in other "
                      "programs load the plugin with mj_loadPluginLibrary");
   }
-  const auto attempt = [&](const fs::path& file, const std::string& otherwise) {
+  const auto attempt = [&](const fs::path& file) {
     const Trial trial = TryEngine(engines.front().file, file, Model());
     if (!trial.problem.empty()) {
       throw InputError(package.string() + ": MuJoCo " +
                        (trial.answer.empty() ? "?" : trial.answer) +
-                       " does not work with the plugin" + otherwise + ": " + trial.problem);
+                       " does not work with the plugin, which is not installed: " + trial.problem);
     }
     return "MuJoCo " + trial.answer + " works with it: `import mujoco` loads it from now on\n";
   };
-  std::string verdict = attempt(plugin, ", which is not installed");
+  std::string verdict = attempt(plugin);
   const fs::path copy = PluginCopy(package);
   const bool is_there = fs::exists(fs::symlink_status(copy, error));
   const bool is_same = SameBytes(plugin, copy);
@@ -189,15 +192,23 @@ void Install(const DoctorArguments& arguments) {
       fs::permissions(part, owner_read | owner_write | group_read | others_read, error);
     }
     if (!error) {
+      try {
+        verdict = attempt(part);
+      } catch (const InputError&) {
+        unlink(part.c_str());
+        throw;
+      }
       fs::rename(part, copy, error);
     }
     if (error) {
       unlink(part.c_str());
-      throw InputError(copy.string() + ": cannot be written: " + error.message() + ". Type: sudo " +
-                       InstallLine(arguments) + " --engine " + ShellWord(package) +
-                       ", or install MuJoCo into a virtual environment, which is your own");
+      throw InputError(
+          copy.string() + ": cannot be written: " + error.message() +
+          (NeedsRights(error.value())
+               ? ". Type: sudo " + InstallLine(arguments) + " --engine " + ShellWord(package) +
+                     ", or install MuJoCo into a virtual environment, which is your own"
+               : ""));
     }
-    verdict = attempt(copy, " as installed");
   }
   Print((is_same    ? "is there already: "
          : is_there ? "replaced "
@@ -209,10 +220,10 @@ void Uninstall(const DoctorArguments& arguments) {
   const fs::path copy = PluginCopy(ChosenPackage(arguments));
   const int failure = unlink(copy.c_str()) == 0 ? 0 : errno;
   if (failure != 0 && failure != ENOENT) {
-    throw InputError(copy.string() + ": cannot be taken away: " + std::strerror(failure) +
-                     ". Type: sudo rm " + ShellWord(copy));
+    throw InputError(copy.string() + ": cannot be removed: " + std::strerror(failure) +
+                     (NeedsRights(failure) ? ". Type: sudo rm " + ShellWord(copy) : ""));
   }
-  Print((failure == 0 ? "took away " : "is not there: ") + copy.string() + "\n");
+  Print((failure == 0 ? "removed " : "is not there: ") + copy.string() + "\n");
 }
 
 }  // namespace
@@ -233,20 +244,20 @@ void AddDoctorCommand(CLI::App& program, int& status) {
   verb->add_flag("--install", arguments->install,
                  "Put the plugin into Python's package mujoco, from which `import mujoco` loads "
                  "it: that of --engine, else that of the first python3 on PATH");
-  verb->add_flag("--uninstall", arguments->uninstall, "Take it away from there again");
+  verb->add_flag("--uninstall", arguments->uninstall, "Remove it from there again");
   verb->footer(
       "Looks where Python, unpacked releases and the system keep MuJoCo, at MUJOCO_ROOT, and in "
       "the checkout\nthat the program lies in. It runs each python3 on PATH, isolated, to ask "
       "where its package is; it loads each\nMuJoCo with the plugin and steps a shoulder, and it "
-      "loads OpenGL. Each has a process, a limit of time and of\noutput of its own. Nothing of "
-      "the current folder is run. Where a MuJoCo does not work, its problem or the line\nafter "
-      "`type` says what mends it. Exit status 1 if no MuJoCo works.\n"
+      "loads OpenGL. Each runs in its own process, with a limit\nof time and "
+      "output. Nothing of the current folder is run. Where a MuJoCo does not work, its problem or\n"
+      "the line after `type` says what mends it. Exit status 1 if no MuJoCo works.\n"
       "Examples:\n  girdle doctor\n  girdle doctor --install");
   verb->callback([arguments, &status] {
     const bool changes = arguments->install || arguments->uninstall;
-    if (changes &&
-        (arguments->only || arguments->json || arguments->install == arguments->uninstall)) {
-      throw InputError("--install and --uninstall: each goes with --engine and --plugin alone");
+    if (changes && (arguments->only || arguments->json || arguments->engines.size() > 1 ||
+                    arguments->install == arguments->uninstall)) {
+      throw InputError("--install and --uninstall: each goes with one --engine and --plugin alone");
     }
     if (arguments->install) {
       Install(*arguments);

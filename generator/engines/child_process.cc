@@ -15,7 +15,9 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <set>
@@ -26,7 +28,11 @@ namespace girdle {
 namespace {
 
 constexpr int kThrew = 3;
-// More than any answer takes.
+// What programs that start another one end with if they cannot.
+constexpr int kNoChild = 125;
+// What shells add to a signal's number.
+constexpr int kSignalled = 128;
+// Bytes; more than any answer takes.
 constexpr std::size_t kMostOutput = 1 << 20;
 // How often a child is looked at that writes nothing.
 constexpr int kPause_ms = 5;
@@ -73,6 +79,9 @@ void WriteAll(int file, std::string_view text) {
   if (child == 0) {
     BeChild(out, work);
   }
+  if (child < 0) {
+    _exit(kNoChild);
+  }
   int status = 0;
   while (waitpid(child, &status, 0) < 0) {
     if (errno != EINTR) {
@@ -80,20 +89,37 @@ void WriteAll(int file, std::string_view text) {
     }
   }
   if (WIFSIGNALED(status)) {
+    sigset_t none;  // who started this process may have signals blocked
+    sigemptyset(&none);
+    sigprocmask(SIG_SETMASK, &none, nullptr);
     std::signal(WTERMSIG(status), SIG_DFL);
     std::raise(WTERMSIG(status));
+    _exit(kSignalled + WTERMSIG(status));
   }
   _exit(WEXITSTATUS(status));
 }
 
-// Of a process with one thread, whose number is that of the process.
+// This process has one thread, whose number is that of the process.
 std::set<pid_t> ChildrenOfThisProcess() {
   std::ifstream in("/proc/self/task/" + std::to_string(getpid()) + "/children");
   return {std::istream_iterator<pid_t>(in), {}};
 }
 
-// Kills the group, and all children but those of `earlier`. A killed process leaves its own
-// children to this one.
+// The sessions of all processes. A process can leave its session for a new one only.
+std::set<pid_t> Sessions() {
+  std::set<pid_t> sessions;
+  std::error_code error;
+  for (std::filesystem::directory_iterator entry("/proc", error), end; !error && entry != end;
+       entry.increment(error)) {
+    if (const int process = std::atoi(entry->path().filename().c_str()); process > 0) {
+      sessions.insert(getsid(process));
+    }
+  }
+  return sessions;
+}
+
+// Kills the group, and all children but those in a session of `earlier`. A killed process leaves
+// its own children to this one.
 void KillAll(pid_t group, const std::set<pid_t>& earlier) {
   kill(-group, SIGKILL);
   const Clock::time_point end = Clock::now() + kLongestEnd;
@@ -101,7 +127,7 @@ void KillAll(pid_t group, const std::set<pid_t>& earlier) {
   while (is_left && Clock::now() < end) {
     is_left = false;
     for (const pid_t child : ChildrenOfThisProcess()) {
-      if (!earlier.contains(child)) {
+      if (child == group || !earlier.contains(getsid(child))) {
         is_left = true;
         kill(child, SIGKILL);
         waitpid(child, nullptr, WNOHANG);
@@ -126,6 +152,9 @@ std::string HowItEnded(const siginfo_t& ended) {
   if (ended.si_code != CLD_EXITED) {
     return "was ended by a signal: " + std::string(strsignal(ended.si_status));
   }
+  if (ended.si_status == kNoChild) {
+    return "could not be started: the system has no room for another process";
+  }
   return ended.si_status == 0 ? "" : "ended with status " + std::to_string(ended.si_status);
 }
 
@@ -134,7 +163,7 @@ std::string HowItEnded(const siginfo_t& ended) {
 ChildResult RunInChild(const Work& work, int limit_s) {
   std::signal(SIGCHLD, SIG_DFL);  // who started this process may have it ignored
   prctl(PR_SET_CHILD_SUBREAPER, 1);
-  const std::set<pid_t> earlier = ChildrenOfThisProcess();
+  const std::set<pid_t> earlier = Sessions();
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0) {
     throw InputError("cannot make a pipe: " + std::string(std::strerror(errno)));
@@ -170,6 +199,7 @@ ChildResult RunInChild(const Work& work, int limit_s) {
       break;
     }
     if (Clock::now() > end) {
+      result.is_late = true;
       result.failure = "did not end within " + std::to_string(limit_s) + " s";
       break;
     }

@@ -30,10 +30,9 @@ EngineDiagnosis DiagnoseEngine(const FoundEngine& library, const std::filesystem
         "solves models of 60 degrees of freedom or more wrongly without <option "
         "jacobian=\"dense\"/>";
   }
-  if (engine.version.empty()) {
-    const std::filesystem::path python = PythonOf(library.folder);
-    engine.fix = (python.empty() ? "python3" : ShellWord(python)) +
-                 " -m pip install --force-reinstall mujoco";
+  const std::filesystem::path python = PythonOf(library.folder);
+  if (engine.version.empty() && !python.empty()) {
+    engine.fix = ShellWord(python) + " -m pip install --force-reinstall mujoco";
   }
   std::error_code error;
   const std::filesystem::path copy = PluginCopy(library.folder);

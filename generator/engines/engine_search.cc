@@ -26,14 +26,15 @@ constexpr int kPythonLimit_s = 10;
 // What a shell ends with if it cannot run a program.
 constexpr int kCannotRun = 127;
 
-// Prints the folder of the package, which is not imported: that would load its library. A python
-// that is isolated leaves out the user's own packages.
+constexpr std::string_view kMarker = "girdle:";
+// Prints a marker and the folder of the package, which is not imported: that would load its
+// library. A python that is isolated leaves out the user's own packages.
 constexpr const char* kAskPython =
     "import importlib.util, site, sys\n"
     "if sys.prefix == sys.base_prefix:\n"
     "    sys.path.insert(0, site.getusersitepackages())\n"
     "spec = importlib.util.find_spec('mujoco')\n"
-    "print((spec and spec.submodule_search_locations or [''])[0])\n";
+    "print('\\ngirdle:' + (spec and spec.submodule_search_locations or [''])[0])\n";
 
 std::string Environment(const char* variable) {
   const char* value = std::getenv(variable);
@@ -120,8 +121,17 @@ fs::path PackageOf(const fs::path& python, std::string& problem) {
         _exit(kCannotRun);
       },
       kPythonLimit_s);
-  problem = answer.failure;
-  return problem.empty() ? answer.output.substr(0, answer.output.find('\n')) : "";
+  problem = answer.failure.empty() ? "gave another answer than a whole path" : answer.failure;
+  // A script that starts Python may print lines as well.
+  std::istringstream lines(answer.output);
+  for (std::string line; answer.failure.empty() && std::getline(lines, line);) {
+    const fs::path package = line.starts_with(kMarker) ? line.substr(kMarker.size()) : ".";
+    if (package.empty() || package.is_absolute()) {
+      problem.clear();
+      return package;
+    }
+  }
+  return {};
 }
 
 std::vector<Place> EnginePlaces(const fs::path& checkout, std::vector<std::string>& notes) {

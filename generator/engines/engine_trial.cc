@@ -184,6 +184,9 @@ Trial OpenModule(const std::filesystem::path& module) {
     const Library library(module);
     std::string path;
     dl_iterate_phdr(FindMujoco, &path);
+    if (!std::filesystem::path(path).is_absolute()) {
+      throw std::runtime_error("loads no libmujoco.so by a whole path");
+    }
     WriteLine(write, kAnswer, path);
   });
 }

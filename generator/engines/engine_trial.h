@@ -26,7 +26,8 @@ struct Trial {
 /// Opens a plugin of Girdle, without any MuJoCo; it answers with its version.
 [[nodiscard]] Trial OpenPlugin(const std::filesystem::path& plugin);
 
-/// Opens a library that is linked with MuJoCo. The answer is which library of MuJoCo came with it.
+/// Opens a library that is linked with MuJoCo. The answer is the whole path of the library
+/// of MuJoCo that came with it.
 [[nodiscard]] Trial OpenModule(const std::filesystem::path& module);
 
 }  // namespace girdle

@@ -124,6 +124,10 @@ void ExpectSurvived(const std::string& path) {
         }
       },
       kLimit_s);
+  if (tried.is_late) {
+    throw InputError(path + ": cannot be told from a damaged one: a process that stepped it " +
+                     std::to_string(kSteps) + " times " + tried.failure + kFix);
+  }
   if (!tried.failure.empty()) {
     throw InputError(path + ": is damaged: a process that stepped it " + tried.failure + kFix);
   }

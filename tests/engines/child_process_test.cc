@@ -4,15 +4,20 @@
 #include "engines/child_process.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <thread>
+
+#include "tables/input_error.h"
 
 namespace girdle::child_process_test {
 namespace {
@@ -55,7 +60,9 @@ TEST(RunInChild, ReturnsWhatTheChildWrote) {
 }
 
 TEST(RunInChild, ReturnsWhatAProgramPrintsThatTheChildBecomes) {
+  testing::internal::CaptureStderr();
   const ChildResult child = RunShell("echo out; echo err >&2");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
   EXPECT_EQ(child.output, "out\n");
   EXPECT_EQ(child.failure, "");
 }
@@ -72,9 +79,56 @@ TEST(RunInChild, OutlivesAChildThatCrashesAndKeepsWhatItWrote) {
   EXPECT_EQ(child.failure, "was ended by a signal: Segmentation fault");
 }
 
+TEST(RunInChild, ReadsNothingOfTheStandardInput) {
+  std::array<int, 2> ends{};
+  ASSERT_EQ(pipe(ends.data()), 0);
+  ASSERT_EQ(write(ends[1], "typed", 5), 5);
+  close(ends[1]);
+  const int stdin_before = dup(STDIN_FILENO);
+  dup2(ends[0], STDIN_FILENO);
+  EXPECT_EQ(RunShell("cat").output, "");
+  dup2(stdin_before, STDIN_FILENO);
+  close(stdin_before);
+  close(ends[0]);
+}
+
+TEST(RunInChild, SaysTheSignalThatThisProcessHasBlocked) {
+  sigset_t blocked;
+  sigset_t before;
+  sigemptyset(&blocked);
+  sigaddset(&blocked, SIGABRT);
+  sigprocmask(SIG_BLOCK, &blocked, &before);
+  const ChildResult child = RunInChild([](const auto&) { std::abort(); }, kAmple_s);
+  sigprocmask(SIG_SETMASK, &before, nullptr);
+  EXPECT_EQ(child.failure, "was ended by a signal: Aborted");
+}
+
+TEST(RunInChild, SaysThatThereIsNoRoomForTheChild) {
+  const pid_t caller = fork();
+  if (caller == 0) {
+    static_cast<void>(setuid(54321));  // limits do not bind the superuser
+    rlimit processes{};
+    getrlimit(RLIMIT_NPROC, &processes);
+    // With the first limit that does not throw there is room for one process, the child's parent.
+    for (processes.rlim_cur = 1;; ++processes.rlim_cur) {
+      setrlimit(RLIMIT_NPROC, &processes);
+      try {
+        const ChildResult child = RunInChild([](const auto&) {}, kAmple_s);
+        _exit(child.failure.starts_with("could not be started: ") ? 0 : 1);
+      } catch (const InputError&) {
+        continue;
+      }
+    }
+  }
+  int status = -1;
+  EXPECT_EQ(waitpid(caller, &status, 0), caller);
+  EXPECT_EQ(status, 0);
+}
+
 TEST(RunInChild, SaysTheStatusOfAChildThatFails) {
   const ChildResult child = RunInChild([](const auto&) { _exit(7); }, kAmple_s);
   EXPECT_EQ(child.failure, "ended with status 7");
+  EXPECT_FALSE(child.is_late);
 }
 
 TEST(RunInChild, SaysTheStatusWhereThisProcessIgnoresItsChildren) {
@@ -94,6 +148,7 @@ TEST(RunInChild, EndsAChildThatHangs) {
   const ChildResult child = RunShell("echo waiting; sleep 600; true", 1);
   EXPECT_EQ(child.output, "waiting\n");
   EXPECT_EQ(child.failure, "did not end within 1 s");
+  EXPECT_TRUE(child.is_late);
 }
 
 TEST(RunInChild, EndsAChildThatClosesItsOutputAndGoesOn) {
@@ -151,6 +206,18 @@ TEST(RunInChild, LeavesOtherChildrenOfThisProcessAlone) {
   EXPECT_EQ(waitpid(other, nullptr, WNOHANG), 0) << "it ended";
   kill(other, SIGKILL);
   EXPECT_EQ(waitpid(other, nullptr, 0), other);
+}
+
+TEST_F(RunInChildMarked, LeavesAloneWhatAnotherChildStartsAndLeavesBehind) {
+  const pid_t other = fork();
+  if (other == 0) {
+    const std::string script = "sleep 0.3; (sleep 1; touch " + marker_ + ") &";
+    execl("/bin/sh", "sh", "-c", script.c_str(), static_cast<char*>(nullptr));
+    _exit(1);
+  }
+  EXPECT_EQ(RunShell("sleep 0.8").failure, "");
+  EXPECT_EQ(waitpid(other, nullptr, 0), other);
+  EXPECT_TRUE(IsWritten());
 }
 
 TEST_F(RunInChildMarked, EndsWhatTheChildStarted) {

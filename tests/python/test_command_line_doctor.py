@@ -23,10 +23,10 @@ from conftest import PROGRAM_TIMEOUT_S, Girdle, Refuses, contents, expect_one_me
 ODD = "3.2.1"
 
 
-def compile_library(path: Path, code: str) -> Path:
+def compile_library(path: Path, code: str, *linked: str | Path) -> Path:
     path.parent.mkdir(parents=True, exist_ok=True)
     subprocess.run(
-        [os.environ.get("CXX", "c++"), "-shared", "-fPIC", "-x", "c++", "-", "-o", path],
+        [os.environ.get("CXX", "c++"), "-shared", "-fPIC", "-x", "c++", "-", "-o", path, *linked],
         input=code.encode(),
         check=True,
     )
@@ -197,7 +197,7 @@ def test_a_broken_library_is_told_with_the_loaders_reason(doctor: Doctor, tmp_pa
     assert report.code == 1
     assert report.engine(broken)["version"] is None
     assert "invalid ELF header" in report.engine(broken)["problem"]
-    assert "pip install" in report.engine(broken)["fix"]
+    assert report.engine(broken)["fix"] == "", "it belongs to no Python"
 
 
 def test_a_library_that_crashes_harms_no_other(
@@ -233,12 +233,16 @@ def test_the_line_names_the_python_that_the_engine_belongs_to(
 
 
 def test_an_engine_that_lacks_what_the_plugin_needs_is_told(doctor: Doctor, tmp_path: Path) -> None:
-    library = fake_engine(tmp_path, ODD)
+    """Its Python would install the same one again."""
+    library = fake_engine(tmp_path / "lib/python3.11/site-packages/mujoco", ODD)
+    (tmp_path / "bin").mkdir()
+    (tmp_path / "bin" / "python3").touch()
     plugin = compile_library(tmp_path / "libgirdle_rhythm.so", "int unrelated;")
     report = doctor("--only", "--engine", library, "--plugin", plugin)
     assert report.code == 1
     assert report.engine(library)["version"] == ODD
     assert report.engine(library)["problem"].startswith("has no mj")
+    assert report.engine(library)["fix"] == ""
 
 
 def test_a_warning_of_the_plugin_is_the_problem_in_one_line(
@@ -259,6 +263,66 @@ def test_a_warning_of_the_plugin_is_the_problem_in_one_line(
     report = doctor("--only", "--engine", engine, "--plugin", plugin)
     assert report.code == 1
     assert report.engine(engine)["problem"] == "too old:  [31minstall another"
+
+
+# What stands in for a function of MuJoCo, and the problem that this is. `real` is that function.
+MOODY_ENGINES: dict[str, tuple[str, str]] = {
+    "steps nothing": ("void mj_step(void*, void*) {}", "does not step a model"),
+    "warns at the start": (
+        """void* mj_makeData(void* model) {
+          mju_warning("no shoulder");
+          return real<void*(void*)>("mj_makeData")(model);
+        }""",
+        "no shoulder",
+    ),
+    "warns in a step": (
+        """void mj_step(void* model, void* data) {
+          real<void(void*, void*)>("mj_step")(model, data);
+          mju_warning("unstable");
+        }""",
+        "unstable",
+    ),
+    "fails in a step": (
+        """void mj_step(void* model, void* data) {
+          static int steps = 0;
+          real<void(void*, void*)>("mj_step")(model, data);
+          if (++steps == 5) {  // MuJoCo's own step of a model that it loads passes
+            mju_error("broken");
+          }
+        }""",
+        "broken",
+    ),
+    "is given a shoulder with the plugin": (
+        """void* mj_parseXMLString(const char* xml, void*, char*, int) {
+          const bool is_ours = std::strstr(xml, "<instance") && std::strstr(xml, "girdle.rhythm");
+          mju_error(is_ours ? "ours" : xml);
+          return nullptr;
+        }""",
+        "ours",
+    ),
+}
+
+
+@pytest.mark.parametrize(("code", "problem"), MOODY_ENGINES.values(), ids=MOODY_ENGINES.keys())
+def test_an_engine_that_works_but_for_one_function_does_not_work(
+    doctor: Doctor, engine: Path, plugin_library: Path, tmp_path: Path, code: str, problem: str
+) -> None:
+    """All else is that of the real one, which it is linked with."""
+    code = f"""
+      #include <dlfcn.h>
+      #include <cstring>
+      extern "C" void mju_warning(const char*, ...);
+      extern "C" void mju_error(const char*, ...);
+      template <typename F> F* real(const char* name) {{
+        return reinterpret_cast<F*>(dlsym(RTLD_NEXT, name));
+      }}
+      extern "C" {{ {code} }}
+    """
+    linked = ("-Wl,--no-as-needed", "-xnone", engine, f"-Wl,-rpath,{engine.parent}")
+    moody = compile_library(tmp_path / "lib" / "libmujoco.so.9.9.9", code, *linked)
+    report = doctor("--only", "--engine", moody, "--plugin", plugin_library)
+    assert report.code == 1
+    assert report.engine(moody)["problem"] == problem
 
 
 def test_of_two_engines_each_has_its_own_answer(
@@ -353,9 +417,18 @@ def test_an_engine_may_be_named_by_its_environment(doctor: Doctor, tmp_path: Pat
 
 def test_it_asks_every_python_on_the_path(doctor: Doctor, tmp_path: Path) -> None:
     library = fake_engine(tmp_path / "packages" / "mujoco", ODD)
-    python = write_python(tmp_path / "bin", f"echo '{library.parent}'")
+    python = write_python(tmp_path / "bin", f"echo 'girdle:{library.parent}'")
     found = doctor(PATH=f"{python.parent}:{os.environ['PATH']}").engine(library)
     assert found["found_by"] == [str(python)]
+
+
+def test_a_python_may_print_lines_of_its_own(doctor: Doctor, tmp_path: Path) -> None:
+    """A script that starts the real one, which ends with what the script was given."""
+    wrapper = f"printf 'conda: activated'; '{sys.executable}' \"$@\"; echo conda: done"
+    python = write_python(tmp_path / "bin", wrapper)
+    report = doctor(PATH=f"{python.parent}:{os.environ['PATH']}")
+    (found,) = [e for e in report.content["engines"] if str(python) in e["found_by"]]
+    assert found["library"].startswith(str(Path(mujoco.__file__).parent))
 
 
 def test_it_finds_what_a_user_has_installed_for_himself(doctor: Doctor, tmp_path: Path) -> None:
@@ -402,6 +475,28 @@ def test_a_python_below_a_relative_entry_of_the_path_is_not_run(
     report = doctor(PATH=f"{path}:{os.environ['PATH']}:{path}")
     assert not marker.exists()
     assert not [note for note in report.content["notes"] if "python3" in note]
+
+
+@pytest.mark.parametrize("answer", ["girdle:packages/mujoco", "girdle:.", "packages/mujoco", ""])
+def test_a_python_that_answers_no_whole_path_leads_to_nothing(
+    doctor: Doctor, tmp_path: Path, answer: str
+) -> None:
+    fake_engine(tmp_path / "packages" / "mujoco", ODD)
+    python = write_python(tmp_path / "bin", f"echo {answer}")
+    report = doctor(PATH=f"{python.parent}:{os.environ['PATH']}")
+    assert ODD not in [engine["version"] for engine in report.content["engines"]]
+    problem = "asked for its package mujoco, gave another answer than a whole path"
+    assert f"{python}, {problem}" in report.content["notes"]
+
+
+def test_a_program_that_loads_no_mujoco_leads_to_nothing(lone_program: Path, tmp_path: Path) -> None:
+    program = Path(shutil.copy(lone_program, tmp_path))
+    compile_library(tmp_path / "libgirdle_simulation.so", "int unrelated;")
+    fake_engine(tmp_path / "lib", ODD)
+    report = report_of(run_doctor(program, tmp_path, "--json"))
+    assert ODD not in [engine["version"] for engine in report.content["engines"]]
+    problem = "loads no libmujoco.so by a whole path"
+    assert f"this program cannot run MuJoCo: {problem}" in report.content["notes"]
 
 
 @pytest.mark.parametrize("is_on_path", [False, True])
@@ -487,8 +582,8 @@ def test_a_library_that_is_hostile_harms_no_other(
 def test_it_installs_for_the_first_python_on_the_path(
     program: Path, package: Path, tmp_path: Path
 ) -> None:
-    first = write_python(tmp_path / "first", f"echo '{package}'")
-    second = write_python(tmp_path / "second", "echo /nowhere")
+    first = write_python(tmp_path / "first", f"echo 'girdle:{package}'")
+    second = write_python(tmp_path / "second", "echo girdle:/nowhere")
     finished = run_doctor(program, tmp_path, "--install", PATH=f"{first.parent}:{second.parent}")
     assert (finished.returncode, finished.stderr) == (0, "")
     assert installed(package).is_file()
@@ -556,7 +651,7 @@ def test_uninstalling_leaves_the_package_as_it_was(girdle_fine: Girdle, package:
     girdle_fine("doctor", "--install", "--engine", package)
     assert contents(package) != before
     text = girdle_fine("doctor", "--uninstall", "--engine", package).text
-    assert text == f"took away {installed(package)}\n"
+    assert text == f"removed {installed(package)}\n"
     assert contents(package) == before
     text = girdle_fine("doctor", "--uninstall", "--engine", package).text
     assert text == f"is not there: {installed(package)}\n"
@@ -570,6 +665,32 @@ def test_a_plugin_that_does_not_work_is_not_installed(
     finished = girdle("doctor", "--install", "--engine", package, "--plugin", broken)
     expect_one_message(finished, "which is not installed: registers no plugin girdle.rhythm")
     assert contents(package) == before
+
+
+@pytest.mark.parametrize("is_there", [False, True])
+def test_a_plugin_that_does_not_work_where_it_would_be_is_not_installed(
+    girdle: Girdle, plugin_library: Path, package: Path, tmp_path: Path, is_there: bool
+) -> None:
+    """What was there stays."""
+    code = f"""
+      #include <dlfcn.h>
+      #include <cstring>
+      __attribute__((constructor)) static void load() {{
+        Dl_info own;
+        dladdr(reinterpret_cast<void*>(load), &own);
+        if (std::strstr(own.dli_fname, "{package}") == nullptr) {{
+          dlopen("{plugin_library}", RTLD_NOW);
+        }}
+      }}
+    """
+    moody = compile_library(tmp_path / "libgirdle_rhythm.so", code)
+    if is_there:
+        shutil.copy(plugin_library, installed(package))
+    before = contents(package)
+    finished = girdle("doctor", "--install", "--engine", package, "--plugin", moody)
+    expect_one_message(finished, "which is not installed: registers no plugin girdle.rhythm")
+    assert contents(package) == before
+    assert girdle("doctor", "--only", "--engine", package, "--plugin", moody).code == 0
 
 
 # --- Bad input ------------------------------------------------------------------------------------
@@ -595,22 +716,33 @@ def test_an_empty_engine_is_refused(girdle: Girdle) -> None:
     expect_one_message(girdle("doctor", "--engine", ""), "--engine '': is empty")
 
 
-def test_a_folder_of_plugins_that_cannot_be_written_is_told_with_the_fix(
-    refuses: Refuses, program: Path, package: Path
+def test_a_folder_of_plugins_that_is_none_is_told(
+    refuses: Refuses, package: Path
 ) -> None:
-    """A file in its place stops the superuser too."""
+    """Other rights would not help."""
     shutil.rmtree(package / "plugin")
     (package / "plugin").touch()
+    cannot = f"{installed(package)}: cannot be"
+    for words, failure in (("--install", "written"), ("--uninstall", "removed")):
+        because = f"{cannot} {failure}: Not a directory\n"
+        message = refuses("doctor", words, "--engine", package, because=(because,))
+        assert "sudo" not in message
+
+
+def test_a_folder_of_plugins_that_another_user_may_write_is_told_with_the_fix(
+    refuses: Refuses, program: Path, package: Path
+) -> None:
+    """In /sys not even the superuser can make a file."""
+    shutil.rmtree(package / "plugin")
+    (package / "plugin").symlink_to("/sys/kernel")
     refuses(
         *("doctor", "--install", "--engine", package),
         because=(
-            f"{installed(package)}: cannot be written: Not a directory",
+            f"{installed(package)}: cannot be written: ",
             f"sudo {program} doctor --install --engine {package}",
             "virtual environment",
         ),
     )
-    message = refuses("doctor", "--uninstall", "--engine", package, because=("cannot be taken away",))
-    assert f"sudo rm {installed(package)}" in message
 
 
 def test_a_file_that_cannot_be_replaced_leaves_no_part_of_another(
@@ -622,7 +754,7 @@ def test_a_file_that_cannot_be_replaced_leaves_no_part_of_another(
 
 
 def test_a_python_without_mujoco_is_told_what_to_type(program: Path, tmp_path: Path) -> None:
-    python = write_python(tmp_path / "bin", "echo")
+    python = write_python(tmp_path / "bin", "echo girdle:")
     finished = run_doctor(program, tmp_path, "--install", PATH=str(python.parent))
     assert finished.returncode == 2
     assert f"{python} has no package mujoco. Activate the environment that has it" in finished.stderr
@@ -642,6 +774,7 @@ def test_a_library_outside_of_a_package_is_refused(refuses: Refuses, engine: Pat
     refuses("doctor", "--install", "--engine", "release", because=("is not Python's package mujoco",))
 
 
-@pytest.mark.parametrize("other", ["--uninstall", "--json", "--only"])
+@pytest.mark.parametrize("other", ["--uninstall", "--json", "--only", "--engine=. --engine=."])
 def test_what_makes_no_sense_with_install_is_refused(refuses: Refuses, other: str) -> None:
-    refuses("doctor", "--install", other, because=("--install and --uninstall: each goes",))
+    because = "--install and --uninstall: each goes with one --engine and --plugin alone"
+    refuses("doctor", "--install", *other.split(), because=(because,))
