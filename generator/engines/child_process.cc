@@ -28,8 +28,6 @@ namespace girdle {
 namespace {
 
 constexpr int kThrew = 3;
-// What programs that start another one end with if they cannot.
-constexpr int kNoChild = 125;
 // What shells add to a signal's number.
 constexpr int kSignalled = 128;
 // Bytes; more than any answer takes.
@@ -69,7 +67,17 @@ void WriteAll(int file, std::string_view text) {
   _exit(0);  // without what the parent left to do at its exit
 }
 
-// Starts the child and ends as it ends.
+// Even if who started this process has the signal blocked or ignored.
+[[noreturn]] void EndBy(int signal) {
+  sigset_t none;
+  sigemptyset(&none);
+  sigprocmask(SIG_SETMASK, &none, nullptr);
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+  _exit(kSignalled + signal);
+}
+
+// Starts the child and ends as it ends, or by SIGRTMAX, which nothing else sends, if it cannot.
 [[noreturn]] void BeParent(int out, const Work& work) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   setsid();  // a group to kill at once, without a terminal
@@ -80,7 +88,7 @@ void WriteAll(int file, std::string_view text) {
     BeChild(out, work);
   }
   if (child < 0) {
-    _exit(kNoChild);
+    EndBy(SIGRTMAX);
   }
   int status = 0;
   while (waitpid(child, &status, 0) < 0) {
@@ -89,12 +97,7 @@ void WriteAll(int file, std::string_view text) {
     }
   }
   if (WIFSIGNALED(status)) {
-    sigset_t none;  // who started this process may have signals blocked
-    sigemptyset(&none);
-    sigprocmask(SIG_SETMASK, &none, nullptr);
-    std::signal(WTERMSIG(status), SIG_DFL);
-    std::raise(WTERMSIG(status));
-    _exit(kSignalled + WTERMSIG(status));
+    EndBy(WTERMSIG(status));
   }
   _exit(WEXITSTATUS(status));
 }
@@ -149,11 +152,11 @@ void ReadReady(int file, std::string& text) {
 }
 
 std::string HowItEnded(const siginfo_t& ended) {
+  if (ended.si_code != CLD_EXITED && ended.si_status == SIGRTMAX) {
+    return "could not be started: the system has no room for another process";
+  }
   if (ended.si_code != CLD_EXITED) {
     return "was ended by a signal: " + std::string(strsignal(ended.si_status));
-  }
-  if (ended.si_status == kNoChild) {
-    return "could not be started: the system has no room for another process";
   }
   return ended.si_status == 0 ? "" : "ended with status " + std::to_string(ended.si_status);
 }

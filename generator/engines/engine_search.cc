@@ -125,7 +125,7 @@ fs::path PackageOf(const fs::path& python, std::string& problem) {
   // A script that starts Python may print lines as well.
   std::istringstream lines(answer.output);
   for (std::string line; answer.failure.empty() && std::getline(lines, line);) {
-    const fs::path package = line.starts_with(kMarker) ? line.substr(kMarker.size()) : ".";
+    fs::path package = line.starts_with(kMarker) ? line.substr(kMarker.size()) : ".";
     if (package.empty() || package.is_absolute()) {
       problem.clear();
       return package;

@@ -36,9 +36,9 @@ struct FoundEngine {
 /// Returns where this machine may have a MuJoCo, in this order: MUJOCO_ROOT, each python on PATH
 /// (which are asked), VIRTUAL_ENV, CONDA_PREFIX, LD_LIBRARY_PATH, PYTHONPATH, what scripts/setup
 /// fetched into `checkout` and a .venv there, and the folders where releases are unpacked or
-/// installed. Of variables but MUJOCO_ROOT only whole paths count. `checkout` is the folder with
-/// Girdle's sources that the program lies in, or empty. Adds a sentence to `notes` for each python
-/// that does not answer.
+/// installed. In other variables than MUJOCO_ROOT only whole paths count. `checkout` is the folder
+/// with Girdle's sources that the program lies in, or empty. Adds a sentence to `notes` for each
+/// python that does not answer.
 [[nodiscard]] std::vector<Place> EnginePlaces(const std::filesystem::path& checkout,
                                               std::vector<std::string>& notes);
 

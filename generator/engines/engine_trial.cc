@@ -26,7 +26,7 @@ namespace {
 // Generous: what is tried takes milliseconds.
 constexpr int kLimit_s = 30;
 constexpr int kSteps = 10;
-// Of mj_getState: the time alone (mjSTATE_TIME).
+// mj_getState writes the time alone (mjSTATE_TIME).
 constexpr int kTimeOnly = 1;
 
 // The lines that a child writes begin with one of these words.
