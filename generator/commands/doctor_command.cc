@@ -39,6 +39,9 @@ struct DoctorArguments {
   bool uninstall = false;
 };
 
+// How the name of a copy ends that is not in its place yet. Python passes over such a file.
+constexpr const char* kPart = ".part";
+
 // The folder of Girdle's sources that the program lies in, as scripts/run leaves it.
 fs::path Checkout() {
   std::error_code error;
@@ -155,7 +158,19 @@ fs::path ChosenPackage(const DoctorArguments& arguments) {
 }
 
 // Whether another user may do what failed for this reason.
-bool NeedsRights(int failure) { return failure == EACCES || failure == EPERM || failure == EROFS; }
+bool NeedsRights(int failure) { return failure == EACCES || failure == EPERM; }
+
+// Removes what an install that was interrupted left beside the copy.
+void RemoveParts(const fs::path& copy) {
+  std::error_code error;
+  for (fs::directory_iterator entry(copy.parent_path(), error), end; !error && entry != end;
+       entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    if (name.starts_with(copy.filename().string() + ".") && name.ends_with(kPart)) {
+      unlink(entry->path().c_str());
+    }
+  }
+}
 
 void Install(const DoctorArguments& arguments) {
   const fs::path package = ChosenPackage(arguments);
@@ -178,11 +193,11 @@ void Install(const DoctorArguments& arguments) {
   };
   std::string verdict = attempt(plugin);
   const fs::path copy = PluginCopy(package);
+  RemoveParts(copy);
   const bool is_there = fs::exists(fs::symlink_status(copy, error));
   const bool is_same = SameBytes(plugin, copy);
   if (!is_same) {
-    // Python passes over a file with this ending.
-    const fs::path part = copy.string() + "." + std::to_string(getpid()) + ".part";
+    const fs::path part = copy.string() + "." + std::to_string(getpid()) + kPart;
     fs::create_directories(copy.parent_path(), error);
     if (!error) {
       fs::copy_file(plugin, part, error);
@@ -218,6 +233,7 @@ void Install(const DoctorArguments& arguments) {
 
 void Uninstall(const DoctorArguments& arguments) {
   const fs::path copy = PluginCopy(ChosenPackage(arguments));
+  RemoveParts(copy);
   const int failure = unlink(copy.c_str()) == 0 ? 0 : errno;
   if (failure != 0 && failure != ENOENT) {
     throw InputError(copy.string() + ": cannot be removed: " + std::strerror(failure) +

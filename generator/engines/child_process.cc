@@ -152,9 +152,6 @@ void ReadReady(int file, std::string& text) {
 }
 
 std::string HowItEnded(const siginfo_t& ended) {
-  if (ended.si_code != CLD_EXITED && ended.si_status == SIGRTMAX) {
-    return "could not be started: the system has no room for another process";
-  }
   if (ended.si_code != CLD_EXITED) {
     return "was ended by a signal: " + std::string(strsignal(ended.si_status));
   }
@@ -185,6 +182,7 @@ ChildResult RunInChild(const Work& work, int limit_s) {
   close(ends[1]);
   fcntl(ends[0], F_SETFL, O_NONBLOCK);
   ChildResult result;
+  bool is_started = true;
   const Clock::time_point end = Clock::now() + std::chrono::seconds(limit_s);
   for (;;) {
     pollfd waiting{ends[0], POLLIN, 0};
@@ -194,6 +192,7 @@ ChildResult RunInChild(const Work& work, int limit_s) {
     waitid(P_PID, static_cast<id_t>(parent), &ended, WEXITED | WNOHANG | WNOWAIT);
     ReadReady(ends[0], result.output);
     if (ended.si_pid != 0) {
+      is_started = ended.si_code == CLD_EXITED || ended.si_status != SIGRTMAX;
       result.failure = HowItEnded(ended);
       break;
     }
@@ -209,6 +208,9 @@ ChildResult RunInChild(const Work& work, int limit_s) {
   }
   close(ends[0]);
   KillAll(parent, earlier);
+  if (!is_started) {
+    throw InputError("cannot start a process: the system has no room for another one");
+  }
   return result;
 }
 

@@ -93,7 +93,12 @@ void AppendPlugin(std::ostream& out, const Diagnosis& diagnosis) {
       << "\n";
   AppendRow(out, "library", plugin.file.string());
   if (!plugin.problem.empty()) {
-    out << "  This is not Girdle's plugin. Name libgirdle_rhythm.so, which scripts/run builds.\n\n";
+    if (plugin.problem.starts_with("has no ")) {
+      out << "  This is not Girdle's plugin. Name libgirdle_rhythm.so, which scripts/run builds, "
+             "with "
+             "--plugin.\n";
+    }
+    out << "\n";
     return;
   }
   out << "  \"plugin girdle.rhythm not found\" means that nothing loaded it. Load it before the "

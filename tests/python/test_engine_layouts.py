@@ -65,23 +65,24 @@ def test_a_row_that_is_wrong_by_one_byte_is_seen(other_checkout: Path) -> None:
 
 
 CHANGES = {
-    "a member of another type": ("3.4.0", "mjmodel.h", "mjtNum*   jnt_range;", "float*   jnt_range;"),
-    "a member of another name": ("3.17.0", "mjmodel.h", " actuator_ctrladr;", " actuator_ctrl_adr;"),
-    "a count of another name": ("3.17.0", "mjmodel.h", "mjtSize nactuator;", "mjtSize n_actuator;"),
-    "a plugin laid out otherwise": ("3.17.0", "mjplugin.h", "  int needstage;", "  int more; int needstage;"),
-    "a longer plugin": ("3.17.0", "mjplugin.h", "} mjpPlugin;", "void* more; } mjpPlugin;"),
+    "type": ("3.4.0", "mjmodel.h", "mjtNum*   jnt_range;", "float*   jnt_range;", "jnt_range"),
+    "name": ("3.17.0", "mjmodel.h", " actuator_ctrladr;", " actuator_adr;", "actuator_ctrladr"),
+    "count": ("3.17.0", "mjmodel.h", "mjtSize nactuator;", "mjtSize n_actuator;", "nactuator"),
+    "place": ("3.17.0", "mjplugin.h", "  int needstage;", "  int more[3]; int needstage;", "needstage"),
+    "size": ("3.17.0", "mjplugin.h", "} mjpPlugin;", "void* more; } mjpPlugin;", "sizeof"),
 }
 
 
-@pytest.mark.parametrize(("version", "header", "old", "new"), CHANGES.values(), ids=CHANGES.keys())
+@pytest.mark.parametrize(("version", "header", "old", "new", "named"), CHANGES.values(), ids=CHANGES.keys())
 def test_what_the_plugin_does_not_know_is_refused(
-    other_checkout: Path, version: str, header: str, old: str, new: str
+    other_checkout: Path, version: str, header: str, old: str, new: str, named: str
 ) -> None:
     include = other_checkout / f"build/engine/mujoco-{version}/mujoco/include/mujoco"
     replace(include / header, old, new)
     finished = check(other_checkout, version)
     assert finished.returncode == 2, finished.stdout
     assert f"MuJoCo {version} has something that the plugin does not know" in finished.stderr
+    assert re.search(rf"error: .*\b{named}\b|{named}.*\n.*\^", finished.stderr), finished.stderr
 
 
 def test_a_version_that_is_not_pinned_is_refused() -> None:
