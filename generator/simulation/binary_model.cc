@@ -89,7 +89,9 @@ void ExpectOwnPlugin(const std::string& path, std::ifstream& in, const mjModel& 
   const mjpPlugin* const plugin = mjp_getPlugin(kPluginName, &own_slot);
   const std::string bytes = ReadArray(in, sizes, "plugin");
   std::vector<int> slots(bytes.size() / sizeof(int));
-  std::memcpy(slots.data(), bytes.data(), bytes.size());
+  if (!slots.empty()) {
+    std::memcpy(slots.data(), bytes.data(), bytes.size());
+  }
   const auto other = std::find_if(slots.begin(), slots.end(),
                                   [&](int slot) { return plugin == nullptr || slot != own_slot; });
   // A zero ends each attribute of each instance.
