@@ -177,8 +177,10 @@ def test_actuators_of_several_controls_before_ours_change_nothing() -> None:
     data = mujoco.MjData(both)
     for step in range(200):
         for each, prefix in ((data, "her_"), (alone_data, "")):
-            each.actuator(prefix + "elevation_r").ctrl[0] = 1 - math.cos(0.02 * step)
-            each.actuator(prefix + "ac_tilt_r").ctrl[0] = 0.1
+            # By address: before 3.17 the bindings take an actuator's number for that of its control.
+            for name, value in (("elevation_r", 1 - math.cos(0.02 * step)), ("ac_tilt_r", 0.1)):
+                actuator = each.model.actuator(prefix + name).id
+                each.ctrl[each.model.actuator_ctrladr[actuator]] = value
         mujoco.mj_step(both, data)
         mujoco.mj_step(alone, alone_data)
     for k in range(9):
