@@ -24,6 +24,7 @@
 #include "mjcf/shoulder_model.h"
 #include "tables/built_in.h"
 #include "tables/input_error.h"
+#include "tables/same_bytes.h"
 
 namespace girdle {
 namespace {
@@ -195,7 +196,7 @@ void Install(const DoctorArguments& arguments) {
   const fs::path copy = PluginCopy(package);
   RemoveParts(copy);
   const bool is_there = fs::exists(fs::symlink_status(copy, error));
-  const bool is_same = SameBytes(plugin, copy);
+  const bool is_same = HaveTheSameBytes(plugin, copy);
   if (!is_same) {
     const fs::path part = copy.string() + "." + std::to_string(getpid()) + kPart;
     fs::create_directories(copy.parent_path(), error);

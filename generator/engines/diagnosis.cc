@@ -4,14 +4,13 @@
 #include "engines/diagnosis.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string_view>
 #include <system_error>
 
 #include "engines/engine_trial.h"
+#include "tables/same_bytes.h"
 #include "tables/text_columns.h"
 
 namespace girdle {
@@ -40,7 +39,7 @@ EngineDiagnosis DiagnoseEngine(const FoundEngine& library, const std::filesystem
     return engine;
   }
   engine.copy = copy;
-  if (SameBytes(plugin, copy)) {
+  if (HaveTheSameBytes(plugin, copy)) {
     return engine;
   }
   if (engine.works) {
@@ -119,16 +118,6 @@ void AppendTool(std::ostream& out, std::string_view name, const ToolDiagnosis& t
 
 std::filesystem::path PluginCopy(const std::filesystem::path& package) {
   return package / "plugin" / "libgirdle_rhythm.so";
-}
-
-bool SameBytes(const std::filesystem::path& a, const std::filesystem::path& b) {
-  std::error_code error;
-  std::ifstream first(a, std::ios::binary);
-  std::ifstream second(b, std::ios::binary);
-  using Bytes = std::istreambuf_iterator<char>;
-  return first && second && std::filesystem::is_regular_file(a, error) &&
-         std::filesystem::is_regular_file(b, error) &&
-         std::equal(Bytes(first), Bytes(), Bytes(second), Bytes());
 }
 
 std::string ShellWord(const std::filesystem::path& path) {

@@ -69,9 +69,6 @@ struct Diagnosis {
 /// `import mujoco` loads by itself, or would have it.
 [[nodiscard]] std::filesystem::path PluginCopy(const std::filesystem::path& package);
 
-/// Returns whether both are files that can be read, with the same bytes.
-[[nodiscard]] bool SameBytes(const std::filesystem::path& a, const std::filesystem::path& b);
-
 /// Returns `path` as a word of a shell's command line.
 [[nodiscard]] std::string ShellWord(const std::filesystem::path& path);
 

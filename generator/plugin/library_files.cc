@@ -5,10 +5,6 @@
 
 #include <dlfcn.h>
 
-#include <algorithm>
-#include <fstream>
-#include <iterator>
-
 #include "plugin/version_symbol.h"
 
 namespace girdle {
@@ -22,13 +18,6 @@ std::string FileOf(const void* address) {
 std::string OwnFile() {
   static const char kAnyAddress = 0;
   return FileOf(&kAnyAddress);
-}
-
-bool HaveTheSameBytes(const std::string& first, const std::string& second) {
-  std::ifstream a(first, std::ios::binary);
-  std::ifstream b(second, std::ios::binary);
-  using Bytes = std::istreambuf_iterator<char>;
-  return a && b && std::equal(Bytes(a), Bytes(), Bytes(b), Bytes());
 }
 
 std::string DescribedPlugin(const std::string& file) {

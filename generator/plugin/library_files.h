@@ -14,9 +14,6 @@ namespace girdle {
 /// Returns the file of this plugin.
 [[nodiscard]] std::string OwnFile();
 
-/// Returns whether both files can be read and hold the same bytes.
-[[nodiscard]] bool HaveTheSameBytes(const std::string& first, const std::string& second);
-
 /// Returns a loaded plugin for a message: its file, and its Girdle's version where it says one.
 [[nodiscard]] std::string DescribedPlugin(const std::string& file);
 

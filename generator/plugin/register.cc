@@ -17,6 +17,7 @@
 #include "plugin/library_files.h"
 #include "plugin/rhythm_controller.h"
 #include "tables/rhythm_config.h"
+#include "tables/same_bytes.h"
 
 namespace girdle {
 namespace {
