@@ -7,12 +7,12 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "rhythms/fitted_anatomy.h"
-#include "tables/built_in.h"
-#include "tables/input_error.h"
-#include "tables/number_text.h"
-#include "tables/person_landmarks.h"
-#include "tables/text_file.h"
+#include "anatomy/built_in_anatomy.h"
+#include "anatomy/person_landmarks.h"
+#include "fits/fitted_anatomy.h"
+#include "text/input_error.h"
+#include "text/number_text.h"
+#include "text/text_file.h"
 
 namespace girdle {
 namespace {

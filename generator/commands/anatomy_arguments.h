@@ -8,8 +8,8 @@
 #include <array>
 #include <string>
 
-#include "tables/anatomy.h"
-#include "tables/body_size.h"
+#include "anatomy/anatomy.h"
+#include "anatomy/body_size.h"
 
 namespace girdle {
 

@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <optional>
 
-#include "tables/input_error.h"
-#include "tables/number_text.h"
+#include "text/input_error.h"
+#include "text/number_text.h"
 
 namespace girdle {
 namespace {

@@ -15,7 +15,7 @@
 #include "rhythms/comparison.h"
 #include "rhythms/comparison_report.h"
 #include "rhythms/published_rhythms.h"
-#include "tables/input_error.h"
+#include "text/input_error.h"
 
 namespace girdle {
 namespace {

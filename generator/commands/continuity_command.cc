@@ -10,13 +10,14 @@
 #include <string>
 #include <vector>
 
+#include "anatomy/built_in_anatomy.h"
 #include "commands/output_file.h"
 #include "commands/rhythm_arguments.h"
+#include "rhythm_tables/built_in_tables.h"
 #include "rhythms/continuity.h"
-#include "tables/built_in.h"
-#include "tables/input_error.h"
-#include "tables/number_text.h"
-#include "tables/text_columns.h"
+#include "text/input_error.h"
+#include "text/number_text.h"
+#include "text/text_columns.h"
 
 namespace girdle {
 namespace {

@@ -16,13 +16,13 @@
 
 #include "commands/output_file.h"
 #include "commands/rhythm_arguments.h"
-#include "kinematics/table_smoothing.h"
-#include "tables/csv.h"
-#include "tables/input_error.h"
-#include "tables/number_text.h"
-#include "tables/rhythm_table_csv.h"
-#include "tables/text_columns.h"
-#include "tables/text_file.h"
+#include "fits/table_smoothing.h"
+#include "rhythm_tables/rhythm_table_csv.h"
+#include "text/csv.h"
+#include "text/input_error.h"
+#include "text/number_text.h"
+#include "text/text_columns.h"
+#include "text/text_file.h"
 
 namespace girdle {
 namespace {

@@ -15,16 +15,17 @@
 #include <utility>
 #include <vector>
 
+#include "anatomy/built_in_anatomy.h"
 #include "commands/output_file.h"
 #include "commands/picture_diagnosis.h"
 #include "commands/simulation_module.h"
-#include "engines/diagnosis.h"
-#include "engines/engine_search.h"
-#include "engines/engine_trial.h"
 #include "mjcf/shoulder_model.h"
-#include "tables/built_in.h"
-#include "tables/input_error.h"
-#include "tables/same_bytes.h"
+#include "mujoco_search/diagnosis.h"
+#include "mujoco_search/engine_search.h"
+#include "mujoco_search/engine_trial.h"
+#include "rhythm_tables/built_in_tables.h"
+#include "text/input_error.h"
+#include "text/same_bytes.h"
 
 namespace girdle {
 namespace {

@@ -20,8 +20,8 @@
 #include "commands/word_argument.h"
 #include "mjcf/scene.h"
 #include "mjcf/shoulder_model.h"
-#include "tables/built_in.h"
-#include "tables/input_error.h"
+#include "rhythm_tables/built_in_tables.h"
+#include "text/input_error.h"
 
 namespace girdle {
 namespace {

@@ -21,7 +21,7 @@
 #include "commands/solve_command.h"
 #include "commands/thorax_command.h"
 #include "commands/verify_command.h"
-#include "tables/input_error.h"
+#include "text/input_error.h"
 
 namespace girdle {
 namespace {

@@ -11,7 +11,7 @@
 #include <cstring>
 #include <system_error>
 
-#include "tables/input_error.h"
+#include "text/input_error.h"
 
 namespace girdle {
 namespace {

@@ -9,8 +9,8 @@
 #include <optional>
 
 #include "commands/word_argument.h"
-#include "tables/input_error.h"
-#include "tables/small_letters.h"
+#include "text/input_error.h"
+#include "text/small_letters.h"
 
 namespace girdle {
 namespace {

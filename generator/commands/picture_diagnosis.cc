@@ -9,8 +9,8 @@
 #include <string>
 #include <string_view>
 
+#include "child_programs/child_process.h"
 #include "commands/simulation_module.h"
-#include "engines/child_process.h"
 #include "pictures/gl_context.h"
 
 namespace girdle {

@@ -4,7 +4,7 @@
 /// What draws pictures on this machine, and what makes videos of them.
 #pragma once
 
-#include "engines/diagnosis.h"
+#include "mujoco_search/diagnosis.h"
 
 namespace girdle {
 

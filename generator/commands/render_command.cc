@@ -13,7 +13,7 @@
 #include "commands/rhythm_arguments.h"
 #include "commands/simulation_module.h"
 #include "commands/word_argument.h"
-#include "tables/input_error.h"
+#include "text/input_error.h"
 
 namespace girdle {
 namespace {

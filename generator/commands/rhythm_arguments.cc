@@ -8,10 +8,10 @@
 #include <stdexcept>
 
 #include "commands/word_argument.h"
-#include "tables/input_error.h"
-#include "tables/number_text.h"
-#include "tables/rhythm_table_csv.h"
-#include "tables/text_file.h"
+#include "rhythm_tables/rhythm_table_csv.h"
+#include "text/input_error.h"
+#include "text/number_text.h"
+#include "text/text_file.h"
 
 namespace girdle {
 

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "kinematics/shoulder_rhythm.h"
-#include "tables/built_in.h"
+#include "rhythm_tables/built_in_tables.h"
 
 namespace girdle {
 

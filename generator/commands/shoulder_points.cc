@@ -3,9 +3,9 @@
 
 #include "commands/shoulder_points.h"
 
+#include "anatomy/posed_bones.h"
 #include "kinematics/lengths.h"
-#include "tables/posed_bones.h"
-#include "tables/small_letters.h"
+#include "text/small_letters.h"
 
 namespace girdle {
 

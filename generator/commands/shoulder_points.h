@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "anatomy/anatomy.h"
 #include "kinematics/shoulder_pose.h"
-#include "tables/anatomy.h"
 
 namespace girdle {
 

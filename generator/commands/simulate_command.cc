@@ -22,8 +22,8 @@
 #include "commands/simulation_module.h"
 #include "commands/word_argument.h"
 #include "simulation/motion.h"
-#include "tables/input_error.h"
-#include "tables/number_text.h"
+#include "text/input_error.h"
+#include "text/number_text.h"
 
 namespace girdle {
 namespace {

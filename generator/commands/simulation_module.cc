@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <system_error>
 
-#include "tables/input_error.h"
+#include "text/input_error.h"
 
 namespace girdle {
 namespace {

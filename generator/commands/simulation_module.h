@@ -9,7 +9,7 @@
 #include <string>
 
 #include "commands/rhythm_arguments.h"
-#include "simulation/module.h"
+#include "engine_verbs/module.h"
 
 namespace girdle {
 

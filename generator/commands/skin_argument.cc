@@ -10,7 +10,9 @@
 #include <system_error>
 #include <utility>
 
+#include "anatomy/built_in_anatomy.h"
 #include "commands/word_argument.h"
+#include "rhythm_tables/built_in_tables.h"
 #include "skin/bound_skin.h"
 #include "skin/fitted_body.h"
 #include "skin/implicit_body.h"
@@ -19,9 +21,8 @@
 #include "skin/skin_landmarks.h"
 #include "skin/skn_file.h"
 #include "skin/weight_blend.h"
-#include "tables/built_in.h"
-#include "tables/input_error.h"
-#include "tables/small_letters.h"
+#include "text/input_error.h"
+#include "text/small_letters.h"
 
 namespace girdle {
 namespace {

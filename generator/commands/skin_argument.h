@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "commands/anatomy_arguments.h"
-#include "kinematics/model_names.h"
 #include "mjcf/shoulder_model.h"
+#include "names/model_names.h"
 #include "skin/bone_heat.h"
 #include "skin/posed_body.h"
 

@@ -20,18 +20,18 @@
 #include <utility>
 #include <vector>
 
+#include "anatomy/built_in_anatomy.h"
 #include "commands/anatomy_arguments.h"
 #include "commands/angle_sweep.h"
 #include "commands/output_file.h"
 #include "commands/rhythm_arguments.h"
 #include "commands/shoulder_points.h"
 #include "commands/solve_rows.h"
-#include "kinematics/model_names.h"
-#include "tables/built_in.h"
-#include "tables/input_error.h"
-#include "tables/number_text.h"
-#include "tables/text_columns.h"
-#include "tables/text_file.h"
+#include "names/model_names.h"
+#include "text/input_error.h"
+#include "text/number_text.h"
+#include "text/text_columns.h"
+#include "text/text_file.h"
 
 namespace girdle {
 namespace {

@@ -18,9 +18,9 @@
 #include "commands/output_file.h"
 #include "commands/progress.h"
 #include "commands/shoulder_points.h"
-#include "kinematics/model_names.h"
-#include "tables/csv.h"
-#include "tables/number_text.h"
+#include "names/model_names.h"
+#include "text/csv.h"
+#include "text/number_text.h"
 
 namespace girdle {
 namespace {

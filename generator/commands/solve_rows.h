@@ -10,8 +10,8 @@
 #include <optional>
 #include <string>
 
+#include "anatomy/anatomy.h"
 #include "kinematics/shoulder_rhythm.h"
-#include "tables/anatomy.h"
 
 namespace girdle {
 

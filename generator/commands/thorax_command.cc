@@ -15,12 +15,12 @@
 #include "commands/anatomy_arguments.h"
 #include "commands/output_file.h"
 #include "commands/rhythm_arguments.h"
+#include "fits/gliding_fit.h"
 #include "kinematics/lengths.h"
-#include "rhythms/gliding_fit.h"
-#include "tables/built_in.h"
-#include "tables/input_error.h"
-#include "tables/number_text.h"
-#include "tables/text_columns.h"
+#include "rhythm_tables/built_in_tables.h"
+#include "text/input_error.h"
+#include "text/number_text.h"
+#include "text/text_columns.h"
 
 namespace girdle {
 namespace {

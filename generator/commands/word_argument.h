@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-#include "tables/input_error.h"
+#include "text/input_error.h"
 
 namespace girdle {
 

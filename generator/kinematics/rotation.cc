@@ -23,6 +23,11 @@ double Length(double x, double y) noexcept { return std::sqrt(x * x + y * y); }
 
 }  // namespace
 
+double TypedDegrees(double angle_rad) noexcept {
+  constexpr double kPerDegree = 1e9;
+  return std::round(DegreesFromRadians(angle_rad) * kPerDegree) / kPerDegree;
+}
+
 Quaternion AboutY(double angle_rad) noexcept {
   return {std::cos(angle_rad / 2), 0, std::sin(angle_rad / 2), 0};
 }

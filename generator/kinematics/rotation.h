@@ -33,6 +33,9 @@ inline constexpr double kFullCircle_deg = 360;
   return angle_rad * kDegreesPerRadian;
 }
 
+/// Returns an angle as a person types it [deg]: without what the way to radians and back adds.
+[[nodiscard]] double TypedDegrees(double angle_rad) noexcept;
+
 /// Returns the turn by `angle_rad` about the y axis.
 [[nodiscard]] Quaternion AboutY(double angle_rad) noexcept;
 

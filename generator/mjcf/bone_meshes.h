@@ -12,8 +12,8 @@
 /// shared by exactly two triangles.
 #pragma once
 
-#include "tables/anatomy.h"
-#include "tables/triangle_mesh.h"
+#include "anatomy/anatomy.h"
+#include "anatomy/triangle_mesh.h"
 
 namespace girdle {
 

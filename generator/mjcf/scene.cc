@@ -7,8 +7,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "anatomy/built_in_anatomy.h"
 #include "mjcf/xml_element.h"
-#include "tables/built_in.h"
 
 namespace girdle {
 namespace {

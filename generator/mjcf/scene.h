@@ -6,8 +6,8 @@
 
 #include <string>
 
+#include "anatomy/anatomy.h"
 #include "mjcf/shoulder_model.h"
-#include "tables/anatomy.h"
 
 namespace girdle {
 

@@ -11,14 +11,14 @@
 #include <utility>
 #include <vector>
 
+#include "anatomy/posed_bones.h"
 #include "kinematics/assembled_rhythm.h"
-#include "kinematics/model_names.h"
 #include "mjcf/bone_meshes.h"
-#include "mjcf/joint_dynamics.h"
 #include "mjcf/xml_element.h"
-#include "tables/number_text.h"
-#include "tables/posed_bones.h"
-#include "tables/rhythm_table_csv.h"
+#include "names/joint_dynamics.h"
+#include "names/model_names.h"
+#include "rhythm_tables/rhythm_table_csv.h"
+#include "text/number_text.h"
 
 namespace girdle {
 namespace {

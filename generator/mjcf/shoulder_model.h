@@ -15,12 +15,12 @@
 #include <string_view>
 #include <vector>
 
+#include "anatomy/anatomy.h"
 #include "kinematics/assembled_rhythm.h"
 #include "kinematics/assembly.h"
-#include "kinematics/model_names.h"
 #include "kinematics/shoulder_rhythm.h"
-#include "tables/anatomy.h"
-#include "tables/built_in.h"
+#include "names/model_names.h"
+#include "rhythm_tables/built_in_tables.h"
 
 namespace girdle {
 

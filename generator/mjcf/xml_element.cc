@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "tables/number_text.h"
+#include "text/number_text.h"
 
 namespace girdle {
 namespace {

@@ -12,9 +12,9 @@
 #include <limits>
 #include <utility>
 
-#include "kinematics/model_names.h"
 #include "kinematics/rotation.h"
-#include "tables/input_error.h"
+#include "names/model_names.h"
+#include "text/input_error.h"
 
 namespace girdle {
 namespace {

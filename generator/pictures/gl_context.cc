@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "tables/input_error.h"
+#include "text/input_error.h"
 
 // Types alone: the functions come from the library that is opened, and X11 is not wanted.
 #define EGL_EGL_PROTOTYPES 0

@@ -5,7 +5,7 @@
 
 #include <png.h>
 
-#include "tables/input_error.h"
+#include "text/input_error.h"
 
 namespace girdle {
 

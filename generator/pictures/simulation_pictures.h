@@ -8,8 +8,8 @@
 
 #include "pictures/frame_renderer.h"
 #include "pictures/picture.h"
+#include "pictures/picture_request.h"
 #include "pictures/video_pipe.h"
-#include "simulation/module.h"
 #include "simulation/shoulder_simulation.h"
 
 namespace girdle {

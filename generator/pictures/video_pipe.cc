@@ -23,7 +23,7 @@
 #include <utility>
 #include <vector>
 
-#include "tables/input_error.h"
+#include "text/input_error.h"
 
 namespace girdle {
 namespace {

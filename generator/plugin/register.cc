@@ -9,15 +9,15 @@
 #include <memory>
 #include <string>
 
-#include "kinematics/model_names.h"
+#include "names/model_names.h"
 #include "plugin/controller_registry.h"
 #include "plugin/engine_faults.h"
 #include "plugin/engine_functions.h"
 #include "plugin/engine_views.h"
 #include "plugin/library_files.h"
 #include "plugin/rhythm_controller.h"
-#include "tables/rhythm_config.h"
-#include "tables/same_bytes.h"
+#include "rhythm_tables/rhythm_config.h"
+#include "text/same_bytes.h"
 
 namespace girdle {
 namespace {

@@ -33,9 +33,9 @@
 #include <vector>
 
 #include "kinematics/assembled_rhythm.h"
-#include "kinematics/model_names.h"
+#include "names/model_names.h"
 #include "plugin/engine_views.h"
-#include "tables/rhythm_config.h"
+#include "rhythm_tables/rhythm_config.h"
 
 namespace girdle {
 

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "tables/number_text.h"
-#include "tables/text_columns.h"
+#include "text/number_text.h"
+#include "text/text_columns.h"
 
 namespace girdle {
 namespace {

@@ -11,7 +11,7 @@
 #include <limits>
 
 #include "kinematics/one_sided_difference.h"
-#include "tables/number_text.h"
+#include "text/number_text.h"
 
 namespace girdle {
 namespace {

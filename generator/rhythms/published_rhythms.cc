@@ -6,7 +6,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <string>
 
-#include "tables/input_error.h"
+#include "text/input_error.h"
 
 namespace girdle {
 namespace {

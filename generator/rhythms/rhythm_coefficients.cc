@@ -7,8 +7,8 @@
 #include <sstream>
 
 #include "kinematics/rotation.h"
-#include "tables/built_in_files.h"
-#include "tables/csv.h"
+#include "rhythms/built_in_files.h"
+#include "text/csv.h"
 
 namespace girdle {
 namespace {

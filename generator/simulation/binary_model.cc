@@ -16,10 +16,10 @@
 #include <system_error>
 #include <vector>
 
-#include "engines/child_process.h"
-#include "kinematics/model_names.h"
+#include "child_programs/child_process.h"
+#include "names/model_names.h"
 #include "simulation/engine.h"
-#include "tables/input_error.h"
+#include "text/input_error.h"
 
 namespace girdle {
 namespace {

@@ -12,9 +12,9 @@
 #include <utility>
 #include <vector>
 
-#include "kinematics/model_names.h"
+#include "names/model_names.h"
 #include "simulation/binary_model.h"
-#include "tables/input_error.h"
+#include "text/input_error.h"
 
 namespace girdle {
 namespace {

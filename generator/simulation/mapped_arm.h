@@ -9,7 +9,7 @@
 
 #include "kinematics/shoulder_pose.h"
 #include "simulation/engine.h"
-#include "tables/model_mapping.h"
+#include "simulation/model_mapping.h"
 
 namespace girdle {
 

@@ -10,8 +10,8 @@
 #include "kinematics/isb_frames.h"
 #include "kinematics/lengths.h"
 #include "simulation/named_elements.h"
-#include "tables/input_error.h"
-#include "tables/number_text.h"
+#include "text/input_error.h"
+#include "text/number_text.h"
 
 namespace girdle {
 namespace {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "kinematics/rotation.h"
-#include "tables/model_mapping.h"
+#include "simulation/model_mapping.h"
 
 namespace girdle {
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "kinematics/model_names.h"
+#include "names/model_names.h"
 #include "skin/bound_skin.h"
 #include "skin/skin_landmarks.h"
 

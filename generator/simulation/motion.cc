@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "kinematics/model_names.h"
-#include "tables/csv.h"
-#include "tables/number_text.h"
+#include "names/model_names.h"
+#include "text/csv.h"
+#include "text/number_text.h"
 
 namespace girdle {
 namespace {

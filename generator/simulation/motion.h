@@ -9,8 +9,8 @@
 #include <istream>
 #include <string>
 
-#include "kinematics/model_names.h"
 #include "kinematics/shoulder_rhythm.h"
+#include "names/model_names.h"
 
 namespace girdle {
 

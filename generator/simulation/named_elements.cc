@@ -7,7 +7,7 @@
 #include <numeric>
 #include <utility>
 
-#include "tables/input_error.h"
+#include "text/input_error.h"
 
 namespace girdle {
 namespace {

@@ -8,10 +8,10 @@
 #include <glm/gtc/quaternion.hpp>
 #include <utility>
 
-#include "tables/input_error.h"
-#include "tables/number_text.h"
-#include "tables/posed_bones.h"
-#include "tables/rhythm_config.h"
+#include "anatomy/posed_bones.h"
+#include "rhythm_tables/rhythm_config.h"
+#include "text/input_error.h"
+#include "text/number_text.h"
 
 namespace girdle {
 namespace {

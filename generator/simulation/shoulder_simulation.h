@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
+#include "anatomy/anatomy.h"
 #include "kinematics/assembled_rhythm.h"
-#include "kinematics/model_names.h"
+#include "names/model_names.h"
 #include "simulation/engine.h"
 #include "simulation/motion.h"
-#include "tables/anatomy.h"
 
 namespace girdle {
 

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "tables/number_text.h"
+#include "text/number_text.h"
 
 namespace girdle {
 namespace {

@@ -6,8 +6,8 @@
 
 #include <vector>
 
+#include "anatomy/triangle_mesh.h"
 #include "skin/bone_shapes.h"
-#include "tables/triangle_mesh.h"
 
 namespace girdle {
 

@@ -7,9 +7,9 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "tables/body_size.h"
-#include "tables/built_in.h"
-#include "tables/ellipsoid.h"
+#include "anatomy/body_size.h"
+#include "anatomy/built_in_anatomy.h"
+#include "anatomy/ellipsoid.h"
 
 namespace girdle {
 namespace {

@@ -10,7 +10,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <stdexcept>
 
-#include "tables/posed_bones.h"
+#include "anatomy/posed_bones.h"
 
 namespace girdle {
 namespace {

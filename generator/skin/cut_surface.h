@@ -6,9 +6,9 @@
 
 #include <vector>
 
+#include "anatomy/triangle_mesh.h"
 #include "skin/bone_heat.h"
 #include "skin/smooth_union.h"
-#include "tables/triangle_mesh.h"
 
 namespace girdle {
 

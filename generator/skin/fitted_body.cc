@@ -12,10 +12,10 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "tables/body_size.h"
-#include "tables/built_in_files.h"
-#include "tables/csv.h"
-#include "tables/posed_bones.h"
+#include "anatomy/body_size.h"
+#include "anatomy/posed_bones.h"
+#include "skin/built_in_files.h"
+#include "text/csv.h"
 
 namespace girdle {
 namespace {

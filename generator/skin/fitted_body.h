@@ -9,11 +9,11 @@
 #include <istream>
 #include <string>
 
+#include "anatomy/postures.h"
 #include "kinematics/shoulder_rhythm.h"
 #include "skin/cut_surface.h"
 #include "skin/makehuman_body.h"
 #include "skin/posed_body.h"
-#include "tables/postures.h"
 
 namespace girdle {
 

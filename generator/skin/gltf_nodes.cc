@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "tables/text_file.h"
+#include "text/text_file.h"
 
 namespace girdle {
 namespace {

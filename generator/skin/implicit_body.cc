@@ -6,11 +6,12 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "anatomy/body_size.h"
+#include "anatomy/built_in_anatomy.h"
 #include "kinematics/shoulder_rhythm.h"
+#include "rhythm_tables/built_in_tables.h"
 #include "skin/smooth_union.h"
 #include "skin/surface_nets.h"
-#include "tables/body_size.h"
-#include "tables/built_in.h"
 
 namespace girdle {
 namespace {

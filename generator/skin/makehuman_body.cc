@@ -16,8 +16,8 @@
 #include <string_view>
 
 #include "skin/makehuman_files.h"
-#include "tables/input_error.h"
-#include "tables/text_file.h"
+#include "text/input_error.h"
+#include "text/text_file.h"
 
 namespace girdle {
 namespace {

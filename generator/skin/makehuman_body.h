@@ -8,8 +8,8 @@
 #include <map>
 #include <string>
 
+#include "anatomy/triangle_mesh.h"
 #include "skin/bone_heat.h"
-#include "tables/triangle_mesh.h"
 
 namespace girdle {
 

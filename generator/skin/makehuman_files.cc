@@ -8,8 +8,8 @@
 #include <optional>
 #include <string_view>
 
-#include "tables/input_error.h"
-#include "tables/number_text.h"
+#include "text/input_error.h"
+#include "text/number_text.h"
 
 namespace girdle {
 namespace {

@@ -18,10 +18,10 @@
 #include <utility>
 
 #include "skin/gltf_nodes.h"
-#include "tables/input_error.h"
-#include "tables/number_text.h"
-#include "tables/small_letters.h"
-#include "tables/text_file.h"
+#include "text/input_error.h"
+#include "text/number_text.h"
+#include "text/small_letters.h"
+#include "text/text_file.h"
 
 namespace girdle {
 namespace {

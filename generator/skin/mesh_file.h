@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "tables/triangle_mesh.h"
+#include "anatomy/triangle_mesh.h"
 
 namespace girdle {
 

@@ -7,13 +7,13 @@
 #include <glm/gtc/quaternion.hpp>
 #include <optional>
 
+#include "anatomy/person_landmarks.h"
 #include "kinematics/lengths.h"
 #include "skin/mesh_file.h"
 #include "skin/surface_depth.h"
-#include "tables/input_error.h"
-#include "tables/number_text.h"
-#include "tables/person_landmarks.h"
-#include "tables/text_file.h"
+#include "text/input_error.h"
+#include "text/number_text.h"
+#include "text/text_file.h"
 
 namespace girdle {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "kinematics/model_names.h"
+#include "names/model_names.h"
 #include "skin/posed_body.h"
 
 namespace girdle {

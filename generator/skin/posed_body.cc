@@ -5,7 +5,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "tables/posed_bones.h"
+#include "anatomy/posed_bones.h"
 
 namespace girdle {
 

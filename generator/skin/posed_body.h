@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "kinematics/model_names.h"
+#include "anatomy/anatomy.h"
+#include "anatomy/triangle_mesh.h"
 #include "kinematics/shoulder_pose.h"
-#include "tables/anatomy.h"
-#include "tables/triangle_mesh.h"
+#include "names/model_names.h"
 
 namespace girdle {
 

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "tables/triangle_mesh.h"
+#include "anatomy/triangle_mesh.h"
 
 namespace girdle {
 

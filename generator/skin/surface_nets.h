@@ -6,7 +6,7 @@
 
 #include <functional>
 
-#include "tables/triangle_mesh.h"
+#include "anatomy/triangle_mesh.h"
 
 namespace girdle {
 

@@ -25,15 +25,16 @@
 #include <utility>
 #include <vector>
 
+#include "anatomy/built_in_anatomy.h"
 #include "mjcf/shoulder_model.h"
 #include "pictures/frame_renderer.h"
+#include "rhythm_tables/built_in_tables.h"
 #include "simulation/engine.h"
 #include "skin/bone_heat.h"
 #include "skin/bone_shapes.h"
 #include "skin/bound_skin.h"
 #include "skin/implicit_body.h"
-#include "tables/built_in.h"
-#include "tables/number_text.h"
+#include "text/number_text.h"
 
 namespace girdle {
 namespace {

@@ -19,9 +19,9 @@
 #include <utility>
 #include <vector>
 
+#include "anatomy/body_size.h"
+#include "anatomy/built_in_anatomy.h"
 #include "kinematics/random_rotations.h"
-#include "tables/body_size.h"
-#include "tables/built_in.h"
 
 namespace girdle::bone_meshes_test {
 namespace {

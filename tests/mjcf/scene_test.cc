@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
+#include "anatomy/body_size.h"
+#include "anatomy/built_in_anatomy.h"
 #include "mjcf/parsed_xml.h"
-#include "tables/body_size.h"
-#include "tables/built_in.h"
 
 namespace girdle::scene_test {
 namespace {

@@ -19,16 +19,17 @@
 #include <utility>
 #include <vector>
 
-#include "kinematics/model_names.h"
+#include "anatomy/built_in_anatomy.h"
 #include "kinematics/random_rotations.h"
 #include "kinematics/shipped_data.h"
 #include "mjcf/bone_meshes.h"
-#include "mjcf/joint_dynamics.h"
 #include "mjcf/parsed_xml.h"
-#include "tables/built_in.h"
-#include "tables/csv_text.h"
-#include "tables/rhythm_config.h"
-#include "tables/rhythm_table_csv.h"
+#include "names/joint_dynamics.h"
+#include "names/model_names.h"
+#include "rhythm_tables/built_in_tables.h"
+#include "rhythm_tables/rhythm_config.h"
+#include "rhythm_tables/rhythm_table_csv.h"
+#include "text/csv_text.h"
 
 namespace girdle {
 

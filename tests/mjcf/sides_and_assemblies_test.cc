@@ -19,15 +19,16 @@
 #include <utility>
 #include <vector>
 
+#include "anatomy/built_in_anatomy.h"
 #include "kinematics/assembled_rhythm.h"
-#include "kinematics/model_names.h"
 #include "kinematics/shipped_data.h"
-#include "mjcf/joint_dynamics.h"
 #include "mjcf/parsed_xml.h"
 #include "mjcf/scene.h"
 #include "mjcf/shoulder_model.h"
-#include "tables/built_in.h"
-#include "tables/csv_text.h"
+#include "names/joint_dynamics.h"
+#include "names/model_names.h"
+#include "rhythm_tables/built_in_tables.h"
+#include "text/csv_text.h"
 
 namespace girdle::sides_and_assemblies_test {
 namespace {

@@ -10,9 +10,10 @@
 #include <utility>
 #include <vector>
 
+#include "anatomy/built_in_anatomy.h"
 #include "mjcf/parsed_xml.h"
 #include "mjcf/shoulder_model.h"
-#include "tables/built_in.h"
+#include "rhythm_tables/built_in_tables.h"
 
 namespace girdle::skin_element_test {
 namespace {

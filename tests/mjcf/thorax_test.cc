@@ -14,13 +14,14 @@
 #include <utility>
 #include <vector>
 
+#include "anatomy/built_in_anatomy.h"
+#include "anatomy/posed_bones.h"
 #include "kinematics/assembled_rhythm.h"
-#include "kinematics/model_names.h"
-#include "mjcf/joint_dynamics.h"
 #include "mjcf/parsed_xml.h"
 #include "mjcf/shoulder_model.h"
-#include "tables/built_in.h"
-#include "tables/posed_bones.h"
+#include "names/joint_dynamics.h"
+#include "names/model_names.h"
+#include "rhythm_tables/built_in_tables.h"
 
 namespace girdle::thorax_test {
 namespace {

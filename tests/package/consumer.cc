@@ -3,7 +3,7 @@
 
 #include <girdle/kinematics/shoulder_rhythm.h>
 #include <girdle/mjcf/shoulder_model.h>
-#include <girdle/tables/built_in.h>
+#include <girdle/rhythm_tables/built_in_tables.h>
 
 #include <cstdio>
 

@@ -12,7 +12,7 @@
 #include "kinematics/rotation.h"
 #include "pictures/pixels.h"
 #include "simulation/engine_fixture.h"
-#include "tables/input_error.h"
+#include "text/input_error.h"
 
 namespace girdle::frame_renderer_test {
 namespace {

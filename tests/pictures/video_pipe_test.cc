@@ -20,7 +20,7 @@
 #include <iterator>
 #include <string>
 
-#include "tables/input_error.h"
+#include "text/input_error.h"
 
 namespace girdle::video_pipe_test {
 namespace {

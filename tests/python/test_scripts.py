@@ -149,3 +149,46 @@ def test_an_unknown_argument_is_refused_before_anything_is_done(checkout: Path, 
     assert "--unknown" in finished.stderr.splitlines()[-1]
     assert finished.stdout == ""
     assert not (checkout / "build").exists()
+
+
+@pytest.fixture
+def rooms(tmp_path: Path) -> Path:
+    """Two rooms, of which `below` uses `above`."""
+    for room, text in (("above", ""), ("below", '#include "above/a.h"\n')):
+        (tmp_path / room).mkdir()
+        (tmp_path / room / f"{room[0]}.h").write_text(text)
+    (tmp_path / "README.md").write_text(
+        "| room | what it holds | uses |\n|---|---|---|\n| `above` | a | |\n| `below` | b | `above` |\n"
+    )
+    return tmp_path
+
+
+def check_rooms(folder: Path) -> subprocess.CompletedProcess[str]:
+    return run(SCRIPTS / "check_rooms", folder)
+
+
+def test_rooms_that_use_each_other_as_their_table_says_pass(rooms: Path) -> None:
+    checked = check_rooms(rooms)
+    assert (checked.returncode, checked.stdout) == (0, "")
+
+
+def test_an_include_that_runs_up_is_named_with_its_line(rooms: Path) -> None:
+    (rooms / "above" / "c.cc").write_text('#include "above/a.h"\n#include "below/b.h"\n')
+    checked = check_rooms(rooms)
+    assert checked.returncode == 1
+    assert checked.stdout == f"{rooms}/above/c.cc:2: `above` does not use `below` (README.md)\n"
+
+
+def test_a_room_that_is_not_in_the_table_is_named(rooms: Path) -> None:
+    (rooms / "new").mkdir()
+    checked = check_rooms(rooms)
+    assert checked.returncode == 1
+    assert checked.stdout == f"{rooms}/new: is not in the table of README.md\n"
+
+
+def test_a_table_whose_rooms_use_rooms_below_them_is_refused(rooms: Path) -> None:
+    table = rooms / "README.md"
+    table.write_text(table.read_text().replace("| a | |", "| a | `below` |"))
+    checked = check_rooms(rooms)
+    assert checked.returncode == 2
+    assert f"{table}:3: `below` does not stand above what uses it" in checked.stderr

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "kinematics/random_rotations.h"
-#include "tables/built_in.h"
+#include "rhythm_tables/built_in_tables.h"
 
 namespace girdle::comparison_test {
 namespace {

@@ -13,7 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "tables/built_in.h"
+#include "anatomy/built_in_anatomy.h"
+#include "rhythm_tables/built_in_tables.h"
 
 namespace girdle::continuity_test {
 namespace {

@@ -16,9 +16,9 @@
 #include <string_view>
 
 #include "kinematics/axis_matrices.h"
-#include "tables/built_in_files.h"
-#include "tables/csv_text.h"
-#include "tables/input_error.h"
+#include "rhythms/built_in_files.h"
+#include "text/csv_text.h"
+#include "text/input_error.h"
 
 namespace girdle::published_rhythms_test {
 namespace {

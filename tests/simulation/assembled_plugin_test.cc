@@ -17,11 +17,11 @@
 #include <string>
 #include <vector>
 
-#include "kinematics/model_names.h"
-#include "mjcf/joint_dynamics.h"
+#include "names/joint_dynamics.h"
+#include "names/model_names.h"
 #include "simulation/model_variants.h"
 #include "simulation/plugin_fixture.h"
-#include "tables/input_error.h"
+#include "text/input_error.h"
 
 namespace girdle::assembled_plugin_test {
 namespace {

@@ -13,11 +13,11 @@
 #include <string>
 #include <vector>
 
-#include "mjcf/joint_dynamics.h"
+#include "names/joint_dynamics.h"
+#include "rhythm_tables/built_in_tables.h"
 #include "simulation/motion.h"
 #include "simulation/plugin_fixture.h"
 #include "simulation/shoulder_simulation.h"
-#include "tables/built_in.h"
 
 namespace girdle::feed_forward_test {
 namespace {

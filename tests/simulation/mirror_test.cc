@@ -13,7 +13,7 @@
 #include <glm/matrix.hpp>
 #include <string>
 
-#include "kinematics/model_names.h"
+#include "names/model_names.h"
 #include "simulation/model_variants.h"
 #include "simulation/plugin_fixture.h"
 

@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "anatomy/built_in_anatomy.h"
+#include "rhythm_tables/built_in_tables.h"
 #include "simulation/model_variants.h"
 #include "simulation/plugin_fixture.h"
 #include "simulation/shoulder_simulation.h"
@@ -17,8 +19,7 @@
 #include "skin/bone_shapes.h"
 #include "skin/implicit_body.h"
 #include "skin/skn_file.h"
-#include "tables/built_in.h"
-#include "tables/input_error.h"
+#include "text/input_error.h"
 
 namespace girdle::model_skin_test {
 namespace {

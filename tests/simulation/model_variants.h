@@ -17,10 +17,11 @@
 #include <string_view>
 #include <vector>
 
+#include "anatomy/built_in_anatomy.h"
 #include "kinematics/assembled_rhythm.h"
-#include "kinematics/model_names.h"
+#include "names/model_names.h"
+#include "rhythm_tables/built_in_tables.h"
 #include "simulation/plugin_fixture.h"
-#include "tables/built_in.h"
 
 namespace girdle {
 

@@ -8,7 +8,7 @@
 #include <sstream>
 #include <string>
 
-#include "tables/input_error.h"
+#include "text/input_error.h"
 
 namespace girdle::motion_test {
 namespace {

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "rhythm_tables/built_in_tables.h"
 #include "simulation/plugin_fixture.h"
-#include "tables/built_in.h"
 
 namespace girdle::plugin_bad_controls_test {
 namespace {

@@ -14,10 +14,11 @@
 #include <string>
 #include <vector>
 
-#include "kinematics/model_names.h"
+#include "anatomy/built_in_anatomy.h"
 #include "mjcf/shoulder_model.h"
+#include "names/model_names.h"
+#include "rhythm_tables/built_in_tables.h"
 #include "simulation/engine_fixture.h"
-#include "tables/built_in.h"
 
 namespace girdle {
 

@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "rhythm_tables/built_in_tables.h"
 #include "simulation/plugin_fixture.h"
-#include "tables/built_in.h"
 
 namespace girdle::plugin_sensor_test {
 namespace {

@@ -12,11 +12,11 @@
 #include <string>
 #include <vector>
 
-#include "kinematics/model_names.h"
-#include "mjcf/joint_dynamics.h"
+#include "names/joint_dynamics.h"
+#include "names/model_names.h"
+#include "rhythm_tables/built_in_tables.h"
 #include "simulation/plugin_fixture.h"
-#include "tables/built_in.h"
-#include "tables/input_error.h"
+#include "text/input_error.h"
 
 namespace girdle::plugin_test {
 namespace {

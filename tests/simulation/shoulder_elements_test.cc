@@ -18,7 +18,7 @@
 #include "simulation/plugin_fixture.h"
 #include "simulation/shoulder_simulation.h"
 #include "simulation/trace.h"
-#include "tables/input_error.h"
+#include "text/input_error.h"
 
 namespace girdle::shoulder_elements_test {
 namespace {

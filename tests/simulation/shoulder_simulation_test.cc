@@ -8,9 +8,10 @@
 #include <algorithm>
 #include <string>
 
+#include "anatomy/built_in_anatomy.h"
+#include "rhythm_tables/built_in_tables.h"
 #include "simulation/plugin_fixture.h"
-#include "tables/built_in.h"
-#include "tables/input_error.h"
+#include "text/input_error.h"
 
 namespace girdle::shoulder_simulation_test {
 namespace {

@@ -13,12 +13,13 @@
 #include <string>
 #include <utility>
 
-#include "kinematics/model_names.h"
+#include "anatomy/built_in_anatomy.h"
 #include "mjcf/shoulder_model.h"
+#include "names/model_names.h"
+#include "residuals/residuals.h"
+#include "rhythm_tables/built_in_tables.h"
 #include "simulation/engine_fixture.h"
-#include "simulation/residuals.h"
 #include "simulation/shoulder_simulation.h"
-#include "tables/built_in.h"
 
 namespace girdle::thorax_test {
 namespace {

@@ -10,8 +10,8 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "kinematics/arm_directions.h"
+#include "rhythm_tables/built_in_tables.h"
 #include "simulation/plugin_fixture.h"
-#include "tables/built_in.h"
 
 namespace girdle::whole_range_test {
 namespace {

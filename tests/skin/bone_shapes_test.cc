@@ -14,9 +14,10 @@
 #include <utility>
 #include <vector>
 
+#include "anatomy/body_size.h"
+#include "anatomy/built_in_anatomy.h"
 #include "kinematics/random_rotations.h"
-#include "tables/body_size.h"
-#include "tables/built_in.h"
+#include "rhythm_tables/built_in_tables.h"
 
 namespace girdle::bone_shapes_test {
 namespace {

@@ -16,8 +16,9 @@
 #include <utility>
 #include <vector>
 
+#include "anatomy/built_in_anatomy.h"
 #include "kinematics/random_rotations.h"
-#include "tables/built_in.h"
+#include "rhythm_tables/built_in_tables.h"
 
 namespace girdle::bound_skin_test {
 namespace {

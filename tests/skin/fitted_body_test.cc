@@ -13,17 +13,18 @@
 #include <stdexcept>
 #include <string>
 
+#include "anatomy/built_in_anatomy.h"
+#include "anatomy/person_landmarks.h"
+#include "anatomy/posed_bones.h"
+#include "rhythm_tables/built_in_tables.h"
 #include "skin/bone_shapes.h"
+#include "skin/built_in_files.h"
 #include "skin/solids.h"
 #include "skin/surface_depth.h"
 #include "skin/surface_topology.h"
 #include "skin/weight_blend.h"
-#include "tables/built_in.h"
-#include "tables/built_in_files.h"
-#include "tables/csv_text.h"
-#include "tables/input_error.h"
-#include "tables/person_landmarks.h"
-#include "tables/posed_bones.h"
+#include "text/csv_text.h"
+#include "text/input_error.h"
 
 namespace girdle::fitted_body_test {
 namespace {

@@ -12,14 +12,15 @@
 #include <string>
 #include <vector>
 
+#include "anatomy/body_size.h"
+#include "anatomy/built_in_anatomy.h"
+#include "rhythm_tables/built_in_tables.h"
 #include "skin/bone_heat.h"
 #include "skin/bone_shapes.h"
 #include "skin/bound_skin.h"
 #include "skin/skn_file.h"
 #include "skin/surface_depth.h"
 #include "skin/surface_topology.h"
-#include "tables/body_size.h"
-#include "tables/built_in.h"
 
 namespace girdle::implicit_body_test {
 namespace {

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "tables/csv_text.h"
-#include "tables/input_error.h"
+#include "text/csv_text.h"
+#include "text/input_error.h"
 
 namespace girdle::makehuman_files_test {
 namespace {

@@ -15,8 +15,8 @@
 #include <utility>
 
 #include "skin/solids.h"
-#include "tables/csv_text.h"
-#include "tables/input_error.h"
+#include "text/csv_text.h"
+#include "text/input_error.h"
 
 namespace girdle::mesh_file_test {
 namespace {

@@ -13,10 +13,11 @@
 #include <tuple>
 #include <vector>
 
+#include "anatomy/body_size.h"
+#include "anatomy/built_in_anatomy.h"
+#include "anatomy/posed_bones.h"
 #include "kinematics/random_rotations.h"
-#include "tables/body_size.h"
-#include "tables/built_in.h"
-#include "tables/posed_bones.h"
+#include "rhythm_tables/built_in_tables.h"
 
 namespace girdle::posed_body_test {
 namespace {

@@ -15,9 +15,9 @@
 #include <string_view>
 #include <vector>
 
+#include "anatomy/body_size.h"
+#include "anatomy/built_in_anatomy.h"
 #include "skin/implicit_body.h"
-#include "tables/body_size.h"
-#include "tables/built_in.h"
 
 namespace girdle::skin_landmarks_test {
 namespace {

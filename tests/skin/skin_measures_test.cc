@@ -13,11 +13,12 @@
 #include <string>
 #include <vector>
 
+#include "anatomy/built_in_anatomy.h"
+#include "anatomy/posed_bones.h"
+#include "rhythm_tables/built_in_tables.h"
 #include "skin/bone_heat.h"
 #include "skin/bone_shapes.h"
 #include "skin/implicit_body.h"
-#include "tables/built_in.h"
-#include "tables/posed_bones.h"
 
 namespace girdle::skin_measures_test {
 namespace {

@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
+#include "anatomy/ellipsoid.h"
 #include "kinematics/random_rotations.h"
-#include "tables/ellipsoid.h"
 
 namespace girdle::smooth_union_test {
 namespace {

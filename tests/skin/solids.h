@@ -6,8 +6,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "anatomy/triangle_mesh.h"
 #include "skin/surface_nets.h"
-#include "tables/triangle_mesh.h"
 
 namespace girdle {
 

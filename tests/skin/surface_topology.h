@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "tables/triangle_mesh.h"
+#include "anatomy/triangle_mesh.h"
 
 namespace girdle {
 

@@ -1,0 +1,217 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "child_programs/child_process.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+#include "text/input_error.h"
+
+namespace girdle {
+namespace {
+
+constexpr int kThrew = 3;
+// What shells add to a signal's number.
+constexpr int kSignalled = 128;
+// Bytes; more than any answer takes.
+constexpr std::size_t kMostOutput = 1 << 20;
+// How often a child is looked at that writes nothing.
+constexpr int kPause_ms = 5;
+// Killed processes are gone in milliseconds, unless the kernel waits for a device.
+constexpr std::chrono::seconds kLongestEnd(2);
+
+using Clock = std::chrono::steady_clock;
+using Work = std::function<void(const std::function<void(std::string_view)>&)>;
+
+void WriteAll(int file, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t written = write(file, text.data(), text.size());
+    if (written < 0 && errno != EINTR) {
+      return;
+    }
+    text.remove_prefix(written < 0 ? 0 : static_cast<std::size_t>(written));
+  }
+}
+
+[[noreturn]] void BeChild(int out, const Work& work) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  const int nowhere = open("/dev/null", O_RDWR | O_CLOEXEC);
+  dup2(nowhere, STDIN_FILENO);
+  dup2(nowhere, STDERR_FILENO);
+  dup2(out, STDOUT_FILENO);
+  if (chdir("/") != 0) {
+    _exit(kThrew);
+  }
+  try {
+    work([](std::string_view text) { WriteAll(STDOUT_FILENO, text); });
+  } catch (...) {
+    _exit(kThrew);
+  }
+  _exit(0);  // without what the parent left to do at its exit
+}
+
+// Even if who started this process has the signal blocked or ignored.
+[[noreturn]] void EndBy(int signal) {
+  sigset_t none;
+  sigemptyset(&none);
+  sigprocmask(SIG_SETMASK, &none, nullptr);
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+  _exit(kSignalled + signal);
+}
+
+// Starts the child and ends as it ends, or by SIGRTMAX, which nothing else sends, if it cannot.
+[[noreturn]] void BeParent(int out, const Work& work) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  setsid();  // a group to kill at once, without a terminal
+  const rlimit no_core{0, 0};
+  setrlimit(RLIMIT_CORE, &no_core);
+  const pid_t child = fork();
+  if (child == 0) {
+    BeChild(out, work);
+  }
+  if (child < 0) {
+    EndBy(SIGRTMAX);
+  }
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0) {
+    if (errno != EINTR) {
+      _exit(kThrew);
+    }
+  }
+  if (WIFSIGNALED(status)) {
+    EndBy(WTERMSIG(status));
+  }
+  _exit(WEXITSTATUS(status));
+}
+
+// This process has one thread, whose number is that of the process.
+std::set<pid_t> ChildrenOfThisProcess() {
+  std::ifstream in("/proc/self/task/" + std::to_string(getpid()) + "/children");
+  return {std::istream_iterator<pid_t>(in), {}};
+}
+
+// The sessions of all processes. A process can leave its session for a new one only.
+std::set<pid_t> Sessions() {
+  std::set<pid_t> sessions;
+  std::error_code error;
+  for (std::filesystem::directory_iterator entry("/proc", error), end; !error && entry != end;
+       entry.increment(error)) {
+    if (const int process = std::atoi(entry->path().filename().c_str()); process > 0) {
+      sessions.insert(getsid(process));
+    }
+  }
+  return sessions;
+}
+
+// Kills the group, and all children but those in a session of `earlier`. A killed process leaves
+// its own children to this one.
+void KillAll(pid_t group, const std::set<pid_t>& earlier) {
+  kill(-group, SIGKILL);
+  const Clock::time_point end = Clock::now() + kLongestEnd;
+  bool is_left = true;
+  while (is_left && Clock::now() < end) {
+    is_left = false;
+    for (const pid_t child : ChildrenOfThisProcess()) {
+      if (child == group || !earlier.contains(getsid(child))) {
+        is_left = true;
+        kill(child, SIGKILL);
+        waitpid(child, nullptr, WNOHANG);
+      }
+    }
+  }
+}
+
+// Adds what can be read without waiting, up to a little more than the limit.
+void ReadReady(int file, std::string& text) {
+  std::array<char, 4096> buffer{};
+  while (text.size() <= kMostOutput) {
+    const ssize_t size = read(file, buffer.data(), buffer.size());
+    if (size == 0 || (size < 0 && errno != EINTR)) {
+      return;
+    }
+    text.append(buffer.data(), static_cast<std::size_t>(std::max<ssize_t>(size, 0)));
+  }
+}
+
+std::string HowItEnded(const siginfo_t& ended) {
+  if (ended.si_code != CLD_EXITED) {
+    return "was ended by a signal: " + std::string(strsignal(ended.si_status));
+  }
+  return ended.si_status == 0 ? "" : "ended with status " + std::to_string(ended.si_status);
+}
+
+}  // namespace
+
+ChildResult RunInChild(const Work& work, int limit_s) {
+  std::signal(SIGCHLD, SIG_DFL);  // who started this process may have it ignored
+  prctl(PR_SET_CHILD_SUBREAPER, 1);
+  const std::set<pid_t> earlier = Sessions();
+  std::array<int, 2> ends{};
+  if (pipe2(ends.data(), O_CLOEXEC) != 0) {
+    throw InputError("cannot make a pipe: " + std::string(std::strerror(errno)));
+  }
+  const pid_t parent = fork();
+  if (parent < 0) {
+    const std::string reason = std::strerror(errno);
+    close(ends[0]);
+    close(ends[1]);
+    throw InputError("cannot start a process: " + reason);
+  }
+  if (parent == 0) {
+    close(ends[0]);
+    BeParent(ends[1], work);
+  }
+  close(ends[1]);
+  fcntl(ends[0], F_SETFL, O_NONBLOCK);
+  ChildResult result;
+  bool is_started = true;
+  const Clock::time_point end = Clock::now() + std::chrono::seconds(limit_s);
+  for (;;) {
+    pollfd waiting{ends[0], POLLIN, 0};
+    poll(&waiting, 1, kPause_ms);
+    siginfo_t ended{};
+    // It stays a zombie, so that its number stands for its group until that is killed.
+    waitid(P_PID, static_cast<id_t>(parent), &ended, WEXITED | WNOHANG | WNOWAIT);
+    ReadReady(ends[0], result.output);
+    if (ended.si_pid != 0) {
+      is_started = ended.si_code == CLD_EXITED || ended.si_status != SIGRTMAX;
+      result.failure = HowItEnded(ended);
+      break;
+    }
+    if (result.output.size() > kMostOutput) {
+      result.failure = "wrote more than a megabyte";
+      break;
+    }
+    if (Clock::now() > end) {
+      result.is_late = true;
+      result.failure = "did not end within " + std::to_string(limit_s) + " s";
+      break;
+    }
+  }
+  close(ends[0]);
+  KillAll(parent, earlier);
+  if (!is_started) {
+    throw InputError("cannot start a process: the system has no room for another one");
+  }
+  return result;
+}
+
+}  // namespace girdle

@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+/// What the program asks of the library that runs MuJoCo. The program loads it when a verb needs
+/// it, so that the other verbs work where there is no MuJoCo.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "anatomy/anatomy.h"
+#include "kinematics/shoulder_rhythm.h"
+#include "names/model_names.h"
+#include "pictures/picture_request.h"
+#include "pictures/view.h"
+#include "simulation/girdle_motion.h"
+#include "text/sinks.h"
+
+namespace girdle {
+
+/// A motion between two commands, or one from a file.
+struct MotionRequest {
+  ArmCommand from;
+  ArmCommand to;
+  double duration_s = 0;
+  std::string file;  ///< CSV; empty for the motion above
+  /// Shoulder of the trace; nothing for the model's first.
+  std::optional<Side> side;
+};
+
+/// What the user says of the rhythm. Position servos know none: they follow what is said here, or
+/// the defaults. Of a model with the plugin: `verify` holds a model against it instead of against
+/// what the model says; `simulate` refuses a model that says otherwise.
+struct RhythmOverride {
+  std::optional<Interpolation> interpolation;
+  std::optional<Closure> closure;
+  std::optional<Range> range;
+  std::string table;  ///< a word of kBuiltInTableNames or a file; empty for the model's own
+};
+
+struct SimulationSummary {
+  std::size_t rows = 0;        ///< of the trace
+  double duration_s = 0;       ///< simulated
+  double worst_error_deg = 0;  ///< largest difference of a joint from its target
+  double last_error_deg = 0;   ///< the same in the last row
+  /// In which the command lay outside the rhythm's or the controls' ranges.
+  std::size_t clamped_rows = 0;
+  double worst_distance_deg = 0;  ///< farthest from measured data
+  long frames = 0;                ///< of the video
+};
+
+/// A picture of a model that is put into a pose, without simulating.
+struct RenderRequest {
+  /// Keyframe of the model; empty for `rest` or, if the model has none, for where it starts.
+  std::string keyframe;
+  /// Where the rhythm takes the shoulders, in place of a keyframe.
+  std::optional<ArmCommand> command;
+  /// The shoulder that the command and `girdle` are for, while another one rests; nothing for all.
+  std::optional<Side> side;
+  GirdleMotion girdle = GirdleMotion::kMeasured;
+  View view;
+};
+
+struct RenderResult {
+  std::string png;       ///< a PNG file
+  bool clamped = false;  ///< the command lay outside the rhythm's range; the nearest pose was used
+};
+
+/// A model that is not ours, and where its arm is moved to [deg].
+struct MappedModel {
+  std::string model;
+  std::string mapping;  ///< file in the format of tables/model_mapping.h
+  std::vector<double> elevations_deg;
+  std::vector<double> planes_deg;
+};
+
+struct VerifyResult {
+  std::string report;
+  bool passed = false;
+};
+
+/// The functions of the library. All throw InputError.
+struct SimulationModule {
+  /// Loads a model that is not written yet, the first of (name, text) with what it includes, with
+  /// the plugin, and returns a line that says what MuJoCo found in it.
+  std::string (*check_model)(const std::vector<std::pair<std::string, std::string>>& files,
+                             const std::string& plugin);
+  SimulationSummary (*simulate)(const std::string& model, const std::string& plugin,
+                                const MotionRequest& request, const RhythmOverride& rhythm,
+                                const TextSink& trace, const TextSink& controls,
+                                const PictureRequest& pictures, const ProgressSink& progress);
+  RenderResult (*render)(const std::string& model, const std::string& plugin,
+                         const RenderRequest& request, const RhythmOverride& rhythm);
+  /// Says what draws pictures here: `EGL device, llvmpipe (LLVM 15.0.6, 256 bits)`.
+  std::string (*describe_renderer)();
+  /// Returns where the ffmpeg is that makes videos; empty if there is none.
+  std::string (*find_ffmpeg)();
+  /// Holds the model's bones against `anatomy`, and its skin as it is on a girdle that moves so.
+  VerifyResult (*verify)(const std::string& model, const std::string& plugin,
+                         const RhythmOverride& rhythm, const Anatomy& anatomy, GirdleMotion girdle,
+                         bool json, const ProgressSink& progress);
+  /// Holds the girdle of any model against the measured rhythm, by default that of `girdle solve`.
+  VerifyResult (*verify_mapped)(const MappedModel& mapped, const std::string& plugin,
+                                const RhythmOverride& rhythm, bool json,
+                                const ProgressSink& progress);
+};
+
+/// Name of the function that returns the SimulationModule, of type SimulationModuleFunction.
+inline constexpr const char* kSimulationModuleSymbol = "girdle_simulation_module";
+using SimulationModuleFunction = const SimulationModule* (*)();
+
+}  // namespace girdle

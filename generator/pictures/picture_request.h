@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+/// The picture and the video that a simulation is asked for.
+#pragma once
+
+#include "pictures/view.h"
+#include "text/sinks.h"
+
+namespace girdle {
+
+/// What a simulation draws.
+struct PictureRequest {
+  View view;
+  TextSink png;    ///< gets a PNG file of the last instant; null for none
+  int video = -1;  ///< open file that gets a video in real time, an MP4; -1 for none
+  int frames_per_s = 30;
+};
+
+}  // namespace girdle

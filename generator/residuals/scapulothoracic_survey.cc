@@ -1,0 +1,480 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "residuals/scapulothoracic_survey.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "anatomy/ellipsoid.h"
+#include "kinematics/lengths.h"
+#include "residuals/residual_report.h"
+#include "text/input_error.h"
+#include "text/number_text.h"
+
+namespace girdle {
+namespace {
+
+// SC and AC were measured from here up.
+constexpr double kLowestMeasured_deg = 30;
+// What Newton's method leaves of couplings (mapped_arm.cc).
+constexpr double kCouplingTolerance = 1e-9;
+// Landmarks of one bone keep their distances; PAC may be on the clavicle, which a soft joint lets
+// go by a tenth of a millimeter.
+constexpr double kRigid_mm = 1;
+// Directions that are the same but for what a servo at rest leaves.
+constexpr double kSameDirection_rad = 0.01 * kRadiansPerDegree;
+
+std::size_t Index(GirdleFigure figure) { return static_cast<std::size_t>(figure); }
+
+double AngleDifference_deg(double a_deg, double b_deg) {
+  return std::remainder(a_deg - b_deg, 360);
+}
+
+double AngleBetweenAxes_deg(const Vector3& a, const Vector3& b) {
+  return DegreesFromRadians(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
+}
+
+// Axis of a clavicle: z of Y(protraction) X(elevation).
+Vector3 ClavicleAxisOf(double protraction_deg, double elevation_deg) {
+  return QuaternionFromEuler(EulerSequence::kYXZ, {RadiansFromDegrees(protraction_deg),
+                                                   RadiansFromDegrees(elevation_deg), 0}) *
+         Vector3(0, 0, 1);
+}
+
+void PutScapula(const Quaternion& q_TS, GirdleFigures& figures_deg) {
+  const Vector3 angles_rad = EulerFromQuaternion(EulerSequence::kYXZ, q_TS);
+  figures_deg[Index(GirdleFigure::kInternalRotation)] = DegreesFromRadians(angles_rad[0]);
+  figures_deg[Index(GirdleFigure::kUpwardRotation)] = DegreesFromRadians(angles_rad[1]);
+  figures_deg[Index(GirdleFigure::kTilt)] = DegreesFromRadians(angles_rad[2]);
+}
+
+GirdleFigures ModelFigures(const MappedPose& pose) {
+  GirdleFigures figures_deg;
+  PutScapula(pose.q_TS, figures_deg);
+  if (pose.clavicle_axis_T) {
+    const Vector3& axis = *pose.clavicle_axis_T;
+    figures_deg[Index(GirdleFigure::kProtraction)] = DegreesFromRadians(std::atan2(axis.x, axis.z));
+    figures_deg[Index(GirdleFigure::kClavicleElevation)] =
+        DegreesFromRadians(std::atan2(-axis.y, std::hypot(axis.x, axis.z)));
+  }
+  if (pose.q_TC) {
+    figures_deg[Index(GirdleFigure::kClavicleRotation)] =
+        DegreesFromRadians(EulerFromQuaternion(EulerSequence::kYXZ, *pose.q_TC)[2]);
+  }
+  return figures_deg;
+}
+
+GirdleFigures MeasuredFigures(const ShoulderPose& measured) {
+  MappedPose pose;
+  pose.q_TS = measured.q_TS();
+  pose.q_TC = measured.q_TC;
+  pose.clavicle_axis_T = measured.q_TC * Vector3(0, 0, 1);
+  return ModelFigures(pose);
+}
+
+// Differences of the angles, and the angles between axes and orientations.
+GirdleFigures Differences(const GirdleFigures& model_deg, const Quaternion& q_TS,
+                          const GirdleFigures& measured_deg, const Quaternion& measured_q_TS) {
+  GirdleFigures difference_deg;
+  for (std::size_t i = 0; i < kGirdleFigureCount; ++i) {
+    if (model_deg[i] && measured_deg[i]) {
+      difference_deg[i] = AngleDifference_deg(*model_deg[i], *measured_deg[i]);
+    }
+  }
+  difference_deg[Index(GirdleFigure::kScapula)] =
+      DegreesFromRadians(AngleBetween(q_TS, measured_q_TS));
+  const auto axis = [](const GirdleFigures& figures_deg) {
+    return ClavicleAxisOf(*figures_deg[Index(GirdleFigure::kProtraction)],
+                          *figures_deg[Index(GirdleFigure::kClavicleElevation)]);
+  };
+  if (model_deg[Index(GirdleFigure::kProtraction)]) {
+    difference_deg[Index(GirdleFigure::kClavicleAxis)] =
+        AngleBetweenAxes_deg(axis(model_deg), axis(measured_deg));
+  }
+  return difference_deg;
+}
+
+// Differences of the change since `start`: the model's turn of the scapula since then, put on the
+// measured scapula, q = (q_TS q_TS0^-1) m_TS0, and the change of the clavicle's angles.
+GirdleFigures ChangeDifferences(const SurveyedPosition& start, const SurveyedPosition& position) {
+  const Quaternion q_TS =
+      position.pose.q_TS * glm::conjugate(start.pose.q_TS) * start.measured_q_TS;
+  GirdleFigures model_deg;
+  PutScapula(q_TS, model_deg);
+  for (const GirdleFigure figure : {GirdleFigure::kProtraction, GirdleFigure::kClavicleElevation,
+                                    GirdleFigure::kClavicleRotation}) {
+    const std::size_t i = Index(figure);
+    if (position.model_deg[i]) {
+      model_deg[i] = *start.measured_deg[i] + *position.model_deg[i] - *start.model_deg[i];
+    }
+  }
+  return Differences(model_deg, q_TS, position.measured_deg, position.measured_q_TS);
+}
+
+// Whether the measured rhythm answers for another direction than the arm's, by more than what a
+// servo at rest leaves.
+bool IsFar(const ArmCommand& used, const ArmAngles& reached) {
+  return std::abs(used.elevation_rad - reached.elevation_rad) > kSameDirection_rad ||
+         std::abs(std::remainder(used.plane_rad - reached.plane_rad, 2 * kPi)) > kSameDirection_rad;
+}
+
+std::string PlaceOf(const SurveyedPosition& position) {
+  return "elevation " + RoundedText(DegreesFromRadians(position.asked_elevation_rad), 1) +
+         ", plane " + RoundedText(DegreesFromRadians(position.asked_plane_rad), 1);
+}
+
+// Root mean square and the value of largest magnitude, with its sign.
+class Spread {
+ public:
+  void Add(double value, const SurveyedPosition& position) {
+    square_sum_ += value * value;
+    // A NaN becomes the largest and stays it.
+    if (count_ == 0 || std::abs(value) > std::abs(largest_) ||
+        (std::isnan(value) && !std::isnan(largest_))) {
+      largest_ = value;
+      where_ = PlaceOf(position);
+    }
+    ++count_;
+  }
+  [[nodiscard]] bool empty() const { return count_ == 0; }
+  [[nodiscard]] double Rms() const { return std::sqrt(square_sum_ / static_cast<double>(count_)); }
+  [[nodiscard]] double largest() const { return largest_; }
+  [[nodiscard]] const std::string& where() const { return where_; }
+
+  void AppendTo(std::vector<Residual>& lines, const std::string& group, const std::string& item,
+                const std::string& unit) const {
+    if (empty()) {
+      return;
+    }
+    lines.push_back(
+        {group, item + ", rms", Rms(), unit, std::nullopt, std::to_string(count_) + " values"});
+    lines.push_back({group, item + ", largest", largest_, unit, std::nullopt, where_});
+  }
+
+ private:
+  double square_sum_ = 0;
+  double largest_ = 0;
+  std::size_t count_ = 0;
+  std::string where_;
+};
+
+struct GroupSpreads {
+  std::array<Spread, kGirdleFigureCount> figures;
+  Spread border;
+
+  void AppendTo(std::vector<Residual>& lines, const std::string& group) const {
+    for (std::size_t i = 0; i < kGirdleFigureCount; ++i) {
+      figures[i].AppendTo(lines, group, std::string(kGirdleFigureNames[i]), "deg");
+    }
+    border.AppendTo(lines, group, "TS, AI to ellipsoid", "mm");
+  }
+};
+
+class Surveyor {
+ public:
+  Surveyor(MappedArm& arm, const MappedShoulder& shoulder, const ShoulderRhythm& rhythm,
+           const Ellipsoid& ellipsoid)
+      : arm_(arm), shoulder_(shoulder), rhythm_(rhythm), ellipsoid_(ellipsoid) {}
+
+  SurveyedPosition Visit(double elevation_deg, double plane_deg) {
+    SurveyedPosition position;
+    position.asked_elevation_rad = RadiansFromDegrees(elevation_deg);
+    position.asked_plane_rad = RadiansFromDegrees(plane_deg);
+    // The turn about the long axis is the measured one.
+    const ArmAngles own = ArmAnglesFromRotation(
+        rhythm_.SolvePose({position.asked_elevation_rad, position.asked_plane_rad}).q_TH());
+    const ArmMove move =
+        arm_.Move({position.asked_elevation_rad, position.asked_plane_rad, own.axial_rad});
+    if (!move.reached) {
+      position.not_reached = move.reason;
+      return position;
+    }
+    if (bone_lengths_m_.empty()) {
+      shoulder_.ExpectSound(arm_.data());
+    }
+    position.pose = shoulder_.Observe(arm_.data());
+    position.reached = ArmAnglesFromRotation(position.pose.q_TH);
+    const ShoulderSolution measured =
+        rhythm_.Solve({position.reached.elevation_rad, position.reached.plane_rad});
+    if (IsFar(measured.used, position.reached)) {
+      position.not_reached = "the arm goes to elevation " +
+                             RoundedText(DegreesFromRadians(position.reached.elevation_rad), 1) +
+                             ", plane " +
+                             RoundedText(DegreesFromRadians(position.reached.plane_rad), 1) +
+                             ", which the measured rhythm does not reach";
+      return position;
+    }
+    coupling_.Add(move.coupling, position);
+    speed_.Add(move.speed_rad_per_s, position);
+    AddBoneLengths(position);
+    position.is_in_table = measured.distance_rad <= kNearTable_rad;
+    position.measured_q_TS = measured.pose.q_TS();
+    position.model_deg = ModelFigures(position.pose);
+    position.measured_deg = MeasuredFigures(measured.pose);
+    position.difference_deg = Differences(position.model_deg, position.pose.q_TS,
+                                          position.measured_deg, position.measured_q_TS);
+    for (std::size_t i = 0; i < position.border_mm.size(); ++i) {
+      if (const auto& point_m = position.pose.border_T_m[i]) {
+        position.border_mm[i] = kMillimetersPerMeter * DistanceFromEllipsoid(ellipsoid_, *point_m);
+      }
+    }
+    return position;
+  }
+
+  // What the model itself must keep.
+  void AppendChecks(std::vector<Residual>& lines) const {
+    if (arm_.moves_by_actuators()) {
+      lines.push_back({"model", "speed at rest", speed_.largest(), "rad/s", kRestSpeed_rad_per_s,
+                       speed_.where()});
+      lines.push_back({"model", "equality constraints", coupling_.largest(), "m, rad", std::nullopt,
+                       coupling_.where()});
+    } else {
+      lines.push_back({"model", "equality constraints", coupling_.largest(), "m, rad",
+                       kCouplingTolerance, coupling_.where()});
+    }
+    if (!rigid_.empty()) {
+      lines.push_back({"bones", "distances of a bone's landmarks", std::abs(rigid_.largest()), "mm",
+                       kRigid_mm, rigid_.where()});
+    }
+  }
+
+ private:
+  void AddBoneLengths(const SurveyedPosition& position) {
+    const std::vector<double>& lengths_m = position.pose.bone_lengths_m;
+    if (bone_lengths_m_.empty()) {
+      bone_lengths_m_ = lengths_m;
+    }
+    for (std::size_t i = 0; i < lengths_m.size(); ++i) {
+      rigid_.Add(kMillimetersPerMeter * (lengths_m[i] - bone_lengths_m_[i]), position);
+    }
+  }
+
+  MappedArm& arm_;
+  const MappedShoulder& shoulder_;
+  const ShoulderRhythm& rhythm_;
+  const Ellipsoid& ellipsoid_;
+  std::vector<double> bone_lengths_m_;  ///< at the first position reached
+  Spread coupling_;
+  Spread speed_;
+  Spread rigid_;
+};
+
+// The lowest elevation of the grid that was measured.
+double LowestElevation_deg(const SurveyGrid& grid) {
+  double lowest_deg = grid.elevations_deg.back();
+  for (const double elevation_deg : grid.elevations_deg) {
+    if (elevation_deg >= kLowestMeasured_deg) {
+      lowest_deg = std::min(lowest_deg, elevation_deg);
+    }
+  }
+  return lowest_deg;
+}
+
+void PutChanges(double lowest_deg, std::vector<SurveyedPosition>& positions) {
+  std::map<double, const SurveyedPosition*> starts;  // by plane
+  const double lowest_rad = RadiansFromDegrees(lowest_deg);
+  for (const SurveyedPosition& position : positions) {
+    if (position.is_in_table && position.asked_elevation_rad == lowest_rad) {
+      starts[position.asked_plane_rad] = &position;
+    }
+  }
+  for (SurveyedPosition& position : positions) {
+    const auto start = starts.find(position.asked_plane_rad);
+    if (position.is_in_table && start != starts.end() &&
+        position.asked_elevation_rad > lowest_rad) {
+      position.change_difference_deg = ChangeDifferences(*start->second, position);
+    }
+  }
+}
+
+std::string Whole(double value) { return RoundedText(value, 0); }
+
+// "turns upward by 28 degrees" from one position to another.
+double UpwardTurn_deg(const GirdleFigures& from_deg, const GirdleFigures& to_deg) {
+  const std::size_t i = Index(GirdleFigure::kUpwardRotation);
+  return *from_deg[i] - *to_deg[i];
+}
+
+// What the figures allow to say: how far the scapula turns upward in the plane nearest to the
+// frontal one, what it makes of the plane, and how far it is from the measured one throughout.
+std::string SentenceOf(const std::vector<SurveyedPosition>& positions, double lowest_deg,
+                       const Spread& scapula, const Spread& upward) {
+  std::map<double, std::vector<const SurveyedPosition*>> by_plane;
+  for (const SurveyedPosition& position : positions) {
+    if (position.is_in_table && position.asked_elevation_rad >= RadiansFromDegrees(lowest_deg)) {
+      by_plane[position.asked_plane_rad].push_back(&position);
+    }
+  }
+  std::erase_if(by_plane, [](const auto& plane) { return plane.second.size() < 2; });
+  if (by_plane.empty()) {
+    return "No two positions of one plane lie within the measured table, so nothing can be said "
+           "of how this scapula turns as the arm rises.";
+  }
+  const auto& frontal = *std::min_element(
+      by_plane.begin(), by_plane.end(),
+      [](const auto& a, const auto& b) { return std::abs(a.first) < std::abs(b.first); });
+  const SurveyedPosition& low = *frontal.second.front();
+  const SurveyedPosition& high = *frontal.second.back();
+  const auto degrees = [](double angle_rad) { return Whole(DegreesFromRadians(angle_rad)); };
+  std::string text =
+      "As this arm is raised from " + degrees(low.asked_elevation_rad) + " to " +
+      degrees(high.asked_elevation_rad) + " degrees in plane " + degrees(frontal.first) +
+      ", its scapula turns upward by " + Whole(UpwardTurn_deg(low.model_deg, high.model_deg)) +
+      " degrees, the measured one by " + Whole(UpwardTurn_deg(low.measured_deg, high.measured_deg));
+  // Two planes at the highest elevation that both have.
+  const auto& last = *by_plane.rbegin();
+  for (auto there = last.second.rbegin();
+       last.first != frontal.first && there != last.second.rend(); ++there) {
+    const auto here = std::find_if(
+        frontal.second.begin(), frontal.second.end(), [&](const SurveyedPosition* position) {
+          return position->asked_elevation_rad == (*there)->asked_elevation_rad;
+        });
+    if (here != frontal.second.end()) {
+      text +=
+          "; from plane " + degrees(frontal.first) + " to " + degrees(last.first) +
+          " at elevation " + degrees((*there)->asked_elevation_rad) + " it turns by " +
+          Whole(DegreesFromRadians(AngleBetween((*here)->pose.q_TS, (*there)->pose.q_TS))) +
+          " degrees, the measured one by " +
+          Whole(DegreesFromRadians(AngleBetween((*here)->measured_q_TS, (*there)->measured_q_TS)));
+      break;
+    }
+  }
+  return text + "; within the measured table its orientation is " + RoundedText(scapula.Rms(), 1) +
+         " degrees rms from the measured one, at most " + RoundedText(scapula.largest(), 1) + " (" +
+         scapula.where() + "), its upward rotation " + RoundedText(upward.Rms(), 1) +
+         " degrees rms.";
+}
+
+nlohmann::ordered_json FiguresAsJson(const GirdleFigures& figures_deg) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  for (std::size_t i = 0; i < kGirdleFigureCount; ++i) {
+    if (figures_deg[i]) {
+      std::string key(kGirdleFigureNames[i]);
+      std::replace(key.begin(), key.end(), ' ', '_');
+      json[key + "_deg"] = *figures_deg[i];
+    }
+  }
+  return json;
+}
+
+}  // namespace
+
+ScapulothoracicSurvey SurveyGirdle(MappedArm& arm, const MappedShoulder& shoulder,
+                                   const ShoulderRhythm& rhythm, const Ellipsoid& ellipsoid,
+                                   const SurveyGrid& grid, const ProgressSink& progress) {
+  ScapulothoracicSurvey survey;
+  Surveyor surveyor(arm, shoulder, rhythm, ellipsoid);
+  const std::size_t asked = grid.planes_deg.size() * grid.elevations_deg.size();
+  for (const double plane_deg : grid.planes_deg) {
+    for (const double elevation_deg : grid.elevations_deg) {
+      survey.positions.push_back(surveyor.Visit(elevation_deg, plane_deg));
+      progress(static_cast<double>(survey.positions.size()) / static_cast<double>(asked));
+    }
+  }
+  const auto missed =
+      std::find_if(survey.positions.begin(), survey.positions.end(),
+                   [](const SurveyedPosition& position) { return !position.not_reached.empty(); });
+  const auto missed_count =
+      std::count_if(survey.positions.begin(), survey.positions.end(),
+                    [](const SurveyedPosition& position) { return !position.not_reached.empty(); });
+  if (static_cast<std::size_t>(missed_count) == asked) {
+    throw InputError("the arm reaches none of the " + std::to_string(asked) + " positions; at " +
+                     PlaceOf(*missed) + " " + missed->not_reached +
+                     ". Correct the rows of the arm in the mapping");
+  }
+  const double lowest_deg = LowestElevation_deg(grid);
+  PutChanges(lowest_deg, survey.positions);
+
+  GroupSpreads in_table;
+  GroupSpreads changes;
+  GroupSpreads beyond;
+  Spread elevation;
+  Spread plane;
+  for (const SurveyedPosition& position : survey.positions) {
+    if (!position.not_reached.empty()) {
+      continue;
+    }
+    GroupSpreads& spreads = position.is_in_table ? in_table : beyond;
+    for (std::size_t i = 0; i < kGirdleFigureCount; ++i) {
+      if (position.difference_deg[i]) {
+        spreads.figures[i].Add(*position.difference_deg[i], position);
+      }
+      if (position.change_difference_deg[i]) {
+        changes.figures[i].Add(*position.change_difference_deg[i], position);
+      }
+    }
+    for (const std::optional<double>& border_mm : position.border_mm) {
+      if (border_mm) {
+        spreads.border.Add(*border_mm, position);
+      }
+    }
+    if (position.is_in_table) {
+      elevation.Add(
+          DegreesFromRadians(position.reached.elevation_rad - position.asked_elevation_rad),
+          position);
+      plane.Add(AngleDifference_deg(DegreesFromRadians(position.reached.plane_rad),
+                                    DegreesFromRadians(position.asked_plane_rad)),
+                position);
+    }
+  }
+
+  std::vector<Residual>& lines = survey.report.residuals;
+  survey.report.engine = mj_versionString();
+  surveyor.AppendChecks(lines);
+  lines.push_back(
+      {"arm", "positions not reached", static_cast<double>(missed_count), "-", std::nullopt,
+       missed_count == 0
+           ? "of " + std::to_string(asked)
+           : "of " + std::to_string(asked) + "; " + PlaceOf(*missed) + ": " + missed->not_reached});
+  elevation.AppendTo(lines, "arm", "elevation reached - asked", "deg");
+  plane.AppendTo(lines, "arm", "plane reached - asked", "deg");
+  in_table.AppendTo(lines, "scapulothoracic");
+  changes.AppendTo(lines, "since elevation " + RoundedText(lowest_deg, 1));
+  beyond.AppendTo(lines, "beyond the table");
+  survey.sentence =
+      SentenceOf(survey.positions, lowest_deg, in_table.figures[Index(GirdleFigure::kScapula)],
+                 in_table.figures[Index(GirdleFigure::kUpwardRotation)]);
+  return survey;
+}
+
+std::string SurveyAsText(const ScapulothoracicSurvey& survey) {
+  return ReportAsText(survey.report) + "\n" + survey.sentence + "\n";
+}
+
+std::string SurveyAsJson(const ScapulothoracicSurvey& survey) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::parse(ReportAsJson(survey.report));
+  json["sentence"] = survey.sentence;
+  json["positions"] = nlohmann::ordered_json::array();
+  for (const SurveyedPosition& position : survey.positions) {
+    nlohmann::ordered_json row;
+    row["elevation_deg"] = TypedDegrees(position.asked_elevation_rad);
+    row["plane_deg"] = TypedDegrees(position.asked_plane_rad);
+    if (!position.not_reached.empty()) {
+      row["not_reached"] = position.not_reached;
+    } else {
+      row["reached_elevation_deg"] = DegreesFromRadians(position.reached.elevation_rad);
+      row["reached_plane_deg"] = DegreesFromRadians(position.reached.plane_rad);
+      row["reached_axial_deg"] = DegreesFromRadians(position.reached.axial_rad);
+      row["in_table"] = position.is_in_table;
+      row["model"] = FiguresAsJson(position.model_deg);
+      row["measured"] = FiguresAsJson(position.measured_deg);
+      row["difference"] = FiguresAsJson(position.difference_deg);
+      row["difference_of_change"] = FiguresAsJson(position.change_difference_deg);
+      constexpr std::array<const char*, 2> kBorder = {"TS_to_ellipsoid_mm", "AI_to_ellipsoid_mm"};
+      for (std::size_t i = 0; i < kBorder.size(); ++i) {
+        if (position.border_mm[i]) {
+          row[kBorder[i]] = *position.border_mm[i];
+        }
+      }
+    }
+    json["positions"].push_back(row);
+  }
+  return json.dump(2) + "\n";
+}
+
+}  // namespace girdle

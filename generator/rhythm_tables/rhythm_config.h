@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+/// Configuration of one instance of the plugin, from the texts of its `<config>` elements.
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "kinematics/shoulder_rhythm.h"
+#include "names/model_names.h"
+
+namespace girdle {
+
+/// The texts as given; empty where absent.
+struct RhythmConfigText {
+  std::string interpolation;
+  std::string closure;
+  std::string range;
+  std::string table;
+  std::string stiffness;
+  std::string side{};
+  std::string translation_stiffness{};
+};
+
+struct RhythmConfig {
+  RhythmTable table;
+  RhythmOptions options;
+  std::array<double, kCoordinateCount> stiffness_N_m_per_rad;  ///< in the order of kCoordinateNames
+  Side side = Side::kRight;
+  double translation_stiffness_N_per_m = 0;
+};
+
+/// Returns the validated configuration. Throws std::runtime_error that names key, value and the
+/// fix.
+[[nodiscard]] RhythmConfig ParseRhythmConfig(const RhythmConfigText& text);
+
+/// Returns the rhythm of a configuration, in the joint ranges of a model. Throws std::runtime_error
+/// if the options do not go together or the table is too small for them.
+[[nodiscard]] ShoulderRhythm ConfiguredRhythm(const RhythmConfig& config,
+                                              const JointRanges& ranges);
+
+}  // namespace girdle

@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "text/number_text.h"
+
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+
+namespace girdle {
+namespace {
+
+// Longest shortest-form double: sign, 17 digits, point, exponent of five characters.
+constexpr std::size_t kLongestNumber = 32;
+// The largest double in fixed notation has 309 digits before the point; decimals come on top.
+constexpr std::size_t kLongestFixedNumber = 400;
+
+// What AppendRounded counts in: the last of its decimals.
+constexpr std::uint64_t kUnitsPerOne = 1'000'000'000'000;  // 10^kRoundedDecimals
+constexpr double kFastBelow = 1000;
+constexpr std::uint64_t kFastBelow_units = 1000 * kUnitsPerOne;
+// Sign, three digits, point and decimals.
+constexpr std::size_t kLongestRounded = 1 + 3 + 1 + kRoundedDecimals;
+
+// Returns |value| 10^12 rounded to a whole number, halves to the even one, for |value| < 1000.
+//
+//   |value| = m 2^e   =>   |value| 10^12 = m 5^12 2^(e + 12)
+//
+// in whole numbers throughout: m 5^12 has 81 bits at most, and e + 12 is negative.
+std::uint64_t RoundedUnits(double value) {
+  using Uint128 = unsigned __int128;
+  constexpr std::uint64_t kFiveToTwelve = 244'140'625;
+  constexpr int kFractionBits = std::numeric_limits<double>::digits - 1;
+  constexpr int kExponentBias = std::numeric_limits<double>::max_exponent - 1 + kFractionBits;
+  constexpr int kProductBits = 81;
+  constexpr std::uint64_t kHiddenBit = std::uint64_t{1} << kFractionBits;
+
+  const auto bits = std::bit_cast<std::uint64_t>(std::abs(value));
+  const int shift = kExponentBias - kRoundedDecimals - static_cast<int>(bits >> kFractionBits);
+  // Below half a unit. All numbers without a hidden bit are.
+  if (shift > kProductBits) {
+    return 0;
+  }
+  const Uint128 product = Uint128{(bits & (kHiddenBit - 1)) | kHiddenBit} * kFiveToTwelve;
+  // Just under one half more, and one half where the digit would be odd: what is left falls down.
+  const Uint128 under_half = (Uint128{1} << (shift - 1)) - 1;
+  const Uint128 odd = (product >> shift) & 1;
+  return static_cast<std::uint64_t>((product + under_half + odd) >> shift);
+}
+
+constexpr std::array<char, 200> kDigitPairs = [] {
+  std::array<char, 200> pairs{};
+  for (std::size_t i = 0; i < pairs.size() / 2; ++i) {
+    pairs[2 * i] = static_cast<char>('0' + i / 10);
+    pairs[2 * i + 1] = static_cast<char>('0' + i % 10);
+  }
+  return pairs;
+}();
+
+// Writes two digits, leading zeros included, and returns the place behind them.
+char* WritePair(char* out, std::uint32_t number) {
+  std::memcpy(out, &kDigitPairs[std::size_t{2} * number], 2);
+  return out + 2;
+}
+
+char* WriteSixDigits(char* out, std::uint32_t number) {
+  out = WritePair(out, number / 10'000);
+  out = WritePair(out, number / 100 % 100);
+  return WritePair(out, number % 100);
+}
+
+// Writes a number below 1000 without leading zeros; up to two characters behind it may change.
+char* WriteWhole(char* out, std::uint32_t number) {
+  std::array<char, 5> digits{static_cast<char>('0' + number / 100)};
+  WritePair(&digits[1], number % 100);
+  // How many digits there are is as good as random: no branch.
+  const std::size_t zeros = (number < 10 ? 1U : 0U) + (number < 100 ? 1U : 0U);
+  std::memcpy(out, &digits[zeros], 3);
+  return out + 3 - zeros;
+}
+
+}  // namespace
+
+std::optional<double> FiniteNumber(std::string_view text) noexcept {
+  if (text.size() > 1 && text.front() == '+' && text[1] != '-' && text[1] != '+') {
+    text.remove_prefix(1);
+  }
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) {
+    return std::nullopt;
+  }
+  return value;
+}
+
+void AppendNumber(std::string& text, double value) {
+  std::array<char, kLongestNumber> buffer;  // NOLINT(*-member-init): filled by to_chars
+  const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+  text.append(buffer.data(), static_cast<std::size_t>(end - buffer.data()));
+}
+
+std::string NumberText(double value) {
+  std::string text;
+  AppendNumber(text, value);
+  return text;
+}
+
+std::string SignificantText(double value, int digits) {
+  std::array<char, kLongestNumber> buffer;  // NOLINT(*-member-init): filled by to_chars
+  const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
+                                          std::chars_format::general, digits);
+  return {buffer.data(), end};
+}
+
+void AppendRounded(std::string& text, double value) {
+  const bool is_fast = std::abs(value) < kFastBelow;
+  const std::uint64_t units = is_fast ? RoundedUnits(value) : 0;
+  // A number just below 1000 may be rounded up to it.
+  if (!is_fast || units >= kFastBelow_units) {
+    text += RoundedText(value, kRoundedDecimals);
+    return;
+  }
+  std::array<char, kLongestRounded> buffer;  // NOLINT(*-member-init): written below
+  char* out = buffer.data();
+  *out = '-';
+  out += std::signbit(value) && units > 0 ? 1 : 0;
+  out = WriteWhole(out, static_cast<std::uint32_t>(units / kUnitsPerOne));
+  if (const std::uint64_t decimals = units % kUnitsPerOne; decimals > 0) {
+    constexpr std::uint64_t kHalf = 1'000'000;
+    *out++ = '.';
+    out = WriteSixDigits(out, static_cast<std::uint32_t>(decimals / kHalf));
+    out = WriteSixDigits(out, static_cast<std::uint32_t>(decimals % kHalf));
+    while (out[-1] == '0') {
+      --out;
+    }
+  }
+  text.append(buffer.data(), static_cast<std::size_t>(out - buffer.data()));
+}
+
+std::string RoundedText(double value, int decimals) {
+  std::array<char, kLongestFixedNumber> buffer;  // NOLINT(*-member-init): filled by to_chars
+  const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
+                                          std::chars_format::fixed, decimals);
+  std::string text(buffer.data(), static_cast<std::size_t>(end - buffer.data()));
+  if (text.find('.') != std::string::npos) {
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') {
+      text.pop_back();
+    }
+  }
+  return text == "-0" ? "0" : text;
+}
+
+}  // namespace girdle

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "text/text_columns.h"
+
+#include <gtest/gtest.h>
+
+namespace girdle::text_columns_test {
+namespace {
+
+TEST(TextColumns, AlignsInAColumn) {
+  EXPECT_EQ(AlignedLeft("SC", 4), "SC  ");
+  EXPECT_EQ(AlignedRight("SC", 4), "  SC");
+}
+
+TEST(TextColumns, LeavesAWiderTextAsItIs) {
+  EXPECT_EQ(AlignedLeft("clavicle", 4), "clavicle");
+  EXPECT_EQ(AlignedRight("clavicle", 4), "clavicle");
+}
+
+TEST(TextColumns, AreAsWideAsTheirWidestText) {
+  EXPECT_EQ(
+      ColumnsText({{"bone", "mm"}, {"clavicle", "1.25"}}, {Alignment::kLeft, Alignment::kRight}),
+      "bone        mm\n"
+      "clavicle  1.25\n");
+}
+
+TEST(TextColumns, AlignTheRestAsTheLast) {
+  EXPECT_EQ(ColumnsText({{"SC", "AC", "GH"}, {"a", "1.25", "12.5"}},
+                        {Alignment::kLeft, Alignment::kRight}),
+            "SC    AC    GH\n"
+            "a   1.25  12.5\n");
+}
+
+TEST(TextColumns, EndNoLineInBlanks) {
+  EXPECT_EQ(ColumnsText({{"mm", "where"}, {"1.25", ""}}, {Alignment::kRight, Alignment::kLeft}),
+            "  mm  where\n"
+            "1.25\n");
+}
+
+}  // namespace
+}  // namespace girdle::text_columns_test
