@@ -7,6 +7,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "anatomy/built_in_anatomy.h"
 #include "commands/word_argument.h"
 #include "rhythm_tables/rhythm_table_csv.h"
 #include "text/input_error.h"

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "rhythm_tables/built_in_tables.h"
-#include "anatomy/built_in_anatomy.h"
 
 #include <gtest/gtest.h>
 
@@ -15,38 +14,20 @@
 #include <string_view>
 #include <utility>
 
+#include "anatomy/built_in_anatomy.h"
 #include "fits/table_smoothing.h"
 #include "kinematics/shipped_data.h"
 #include "rhythm_tables/built_in_files.h"
 #include "rhythm_tables/rhythm_table_csv.h"
+#include "text/text_in_data.h"
 
-namespace girdle::built_in_test {
+namespace girdle::built_in_tables_test {
 namespace {
 
-// A name in data/ and the text that is built in under it.
-using FileAndText = std::pair<const char*, const std::string_view*>;
-
-class ShippedFile : public testing::TestWithParam<FileAndText> {};
-
-TEST_P(ShippedFile, IsBuiltInByteForByte) {
-  const auto& [file, text] = GetParam();
-  std::ifstream in(std::string(GIRDLE_SOURCE_DIR) + "/data/" + file, std::ios::binary);
-  ASSERT_TRUE(in) << file;
-  EXPECT_EQ(*text, std::string(std::istreambuf_iterator<char>(in), {}));
+TEST(BuiltInTableFiles, AreThoseOfDataByteForByte) {
+  EXPECT_EQ(built_in_files::kLudewig2009, TextInData("ludewig2009.csv"));
+  EXPECT_EQ(built_in_files::kLudewig2009Destepped, TextInData("ludewig2009_destepped.csv"));
 }
-
-INSTANTIATE_TEST_SUITE_P(
-    Data, ShippedFile,
-    testing::Values(FileAndText("ludewig2009.csv", &built_in_files::kLudewig2009),
-                    FileAndText("ludewig2009_destepped.csv",
-                                &built_in_files::kLudewig2009Destepped),
-                    FileAndText("landmarks.csv", &built_in_files::kLandmarks),
-                    FileAndText("segments.csv", &built_in_files::kSegments),
-                    FileAndText("joint_ranges.csv", &built_in_files::kJointRanges),
-                    FileAndText("thorax_ellipsoids.csv", &built_in_files::kThoraxEllipsoids),
-                    FileAndText("postures.csv", &built_in_files::kPostures),
-                    FileAndText("published_rhythms.csv", &built_in_files::kPublishedRhythms),
-                    FileAndText("makehuman_fit.csv", &built_in_files::kMakeHumanFit)));
 
 TEST(BuiltInRhythmTable, IsTheShippedTable) {
   const RhythmTable table = BuiltInRhythmTable(BuiltInTable::kMeasured);
@@ -196,4 +177,4 @@ TEST(BuiltInAnatomy, HasRangesThatHoldTheMeasuredRhythmWithRoomToSpare) {
 }
 
 }  // namespace
-}  // namespace girdle::built_in_test
+}  // namespace girdle::built_in_tables_test

@@ -19,6 +19,7 @@
 #include "rhythms/built_in_files.h"
 #include "text/csv_text.h"
 #include "text/input_error.h"
+#include "text/text_in_data.h"
 
 namespace girdle::published_rhythms_test {
 namespace {
@@ -215,6 +216,10 @@ INSTANTIATE_TEST_SUITE_P(
                 "published rhythms: no rows for 'braman'"},
         CsvFlaw{"relaxed posture incomplete", [](CsvText& text) { text.RemoveRow(0); },
                 "published rhythms: no row for sc_protraction of relaxed"}));
+
+TEST(PublishedRhythms, IsTheShippedFileByteForByte) {
+  EXPECT_EQ(built_in_files::kPublishedRhythms, TextInData("published_rhythms.csv"));
+}
 
 }  // namespace
 }  // namespace girdle::published_rhythms_test

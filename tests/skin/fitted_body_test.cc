@@ -25,6 +25,7 @@
 #include "skin/weight_blend.h"
 #include "text/csv_text.h"
 #include "text/input_error.h"
+#include "text/text_in_data.h"
 
 namespace girdle::fitted_body_test {
 namespace {
@@ -219,6 +220,10 @@ TEST(FittedMan, PointsHisForearmsToWhereElbowsBend) {
   }
   EXPECT_GT(farthest.x, 0.15);
   EXPECT_LT(std::abs(farthest.z / farthest.x), std::tan(RadiansFromDegrees(15)));
+}
+
+TEST(MakeHumanFit, IsTheShippedFileByteForByte) {
+  EXPECT_EQ(built_in_files::kMakeHumanFit, TextInData("makehuman_fit.csv"));
 }
 
 }  // namespace
