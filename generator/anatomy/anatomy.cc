@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "kinematics/lengths.h"
 #include "text/csv.h"
 #include "text/number_text.h"
 
@@ -231,7 +232,7 @@ std::string ThoraxEllipsoidsToCsv(const Anatomy& anatomy,
     text += name;
     for (const Vector3& vector : {ellipsoid.center_m, ellipsoid.radii_m}) {
       for (int i = 0; i < 3; ++i) {
-        text += "," + RoundedText(vector[i], kEllipsoidDecimals);
+        text += "," + RoundedText(vector[i], kLengthDecimals);
       }
     }
     text += "\n";

@@ -65,6 +65,13 @@ inline constexpr std::array<LandmarkDefinition, kLandmarkCount> kLandmarks = {{
     {"EL", Segment::kHumerus},
 }};
 
+[[nodiscard]] constexpr const LandmarkDefinition& DefinitionOf(Landmark landmark) noexcept {
+  return kLandmarks[static_cast<std::size_t>(landmark)];
+}
+
+/// Landmarks of the scapula's medial border: what glides on the thorax.
+inline constexpr std::array<Landmark, 2> kGlidingLandmarks = {Landmark::kTS, Landmark::kAI};
+
 /// Mass properties in the segment's own frame; the principal axes are the frame's.
 struct SegmentInertia {
   double mass_kg = 0;
@@ -157,10 +164,8 @@ void ReadLigaments(std::istream& in, const std::string& name, Anatomy& anatomy);
                                          const std::vector<std::string>& comments);
 
 /// Returns the anatomy's ellipsoids as a file that ReadThoraxEllipsoids reads: `comments`, each a
-/// line that begins with `#`, the header, the rows. Numbers are rounded to kEllipsoidDecimals
-/// places of a meter.
+/// line that begins with `#`, the header, the rows. Numbers are rounded to kLengthDecimals.
 [[nodiscard]] std::string ThoraxEllipsoidsToCsv(const Anatomy& anatomy,
                                                 const std::vector<std::string>& comments);
-inline constexpr int kEllipsoidDecimals = 4;
 
 }  // namespace girdle

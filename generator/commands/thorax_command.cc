@@ -25,7 +25,6 @@
 namespace girdle {
 namespace {
 
-constexpr double kUnitsPerMeter = 1e4;  // of kEllipsoidDecimals
 constexpr int kMillimeterDecimals = 1;
 constexpr int kDistanceDecimals = 2;
 
@@ -57,18 +56,9 @@ struct ThoraxReport {
   ReportedEllipsoid given;  // the anatomy's own
 };
 
-std::string_view LandmarkName(Landmark landmark) {
-  return kLandmarks[static_cast<std::size_t>(landmark)].name;
-}
-
 // What a file holds.
 Ellipsoid Rounded(const Ellipsoid& ellipsoid) {
-  const auto rounded = [](const Vector3& vector_m) {
-    return Vector3{std::round(vector_m.x * kUnitsPerMeter), std::round(vector_m.y * kUnitsPerMeter),
-                   std::round(vector_m.z * kUnitsPerMeter)} /
-           kUnitsPerMeter;
-  };
-  return {rounded(ellipsoid.center_m), rounded(ellipsoid.radii_m)};
+  return {RoundedPlace_m(ellipsoid.center_m), RoundedPlace_m(ellipsoid.radii_m)};
 }
 
 EllipsoidFit FitFor(const Anatomy& anatomy, const RhythmTable& table, const std::string& name) {
@@ -103,8 +93,9 @@ std::string MillimetersText(double length_m, int decimals) {
 std::vector<std::string> Provenance(const ThoraxReport& report) {
   std::string distances;
   for (const GlidingDistance& distance : report.fitted.distances) {
-    distances += (distances.empty() ? "" : ", ") + std::string(LandmarkName(distance.landmark)) +
-                 " " + MillimetersText(distance.rms_m, kDistanceDecimals) + " mm rms";
+    distances += (distances.empty() ? "" : ", ") +
+                 std::string(DefinitionOf(distance.landmark).name) + " " +
+                 MillimetersText(distance.rms_m, kDistanceDecimals) + " mm rms";
   }
   return {
       "# Ellipsoids that stand for the thorax under the scapula, axes as the thorax frame's.",
@@ -152,7 +143,7 @@ std::string ReportAsText(const ThoraxReport& report) {
   for (const ReportedEllipsoid* const reported : {&report.fitted, &report.given}) {
     for (const GlidingDistance& distance : reported->distances) {
       text += AlignedLeft(reported->name, kNameWidth) +
-              AlignedLeft(std::string(LandmarkName(distance.landmark)), kLandmarkWidth) +
+              AlignedLeft(std::string(DefinitionOf(distance.landmark).name), kLandmarkWidth) +
               AlignedRight(MillimetersText(distance.rms_m, kDistanceDecimals), kDistanceWidth) +
               AlignedRight(MillimetersText(distance.worst_m, kDistanceDecimals), kDistanceWidth) +
               "  " + PlaceText(distance) + "\n";
@@ -179,7 +170,7 @@ nlohmann::ordered_json EllipsoidAsJson(const ReportedEllipsoid& reported) {
     line["worst_mm"] = kMillimetersPerMeter * distance.worst_m;
     line["elevation_deg"] = TypedDegrees(distance.elevation_rad);
     line["plane_deg"] = TypedDegrees(distance.plane_rad);
-    json[LandmarkName(distance.landmark)] = line;
+    json[std::string(DefinitionOf(distance.landmark).name)] = line;
   }
   return json;
 }

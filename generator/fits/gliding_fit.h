@@ -42,9 +42,6 @@ struct EllipsoidFit {
 [[nodiscard]] EllipsoidFit FitEllipsoid(std::span<const Vector3> points_m,
                                         const Ellipsoid& ribcage);
 
-/// Landmarks that glide on the thorax.
-inline constexpr std::array<Landmark, 2> kGlidingLandmarks = {Landmark::kTS, Landmark::kAI};
-
 /// Returns the ellipsoid, in the thorax frame, that fits TS and AI of an anatomy's scapula in the
 /// positions of a table whose SC and AC were measured. Throws as FitEllipsoid.
 [[nodiscard]] EllipsoidFit FitGlidingEllipsoid(const Anatomy& anatomy, const RhythmTable& table);

@@ -4,10 +4,10 @@
 #include "mjcf/scene.h"
 
 #include <array>
-#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "anatomy/built_in_anatomy.h"
+#include "kinematics/lengths.h"
 #include "mjcf/xml_element.h"
 
 namespace girdle {
@@ -37,13 +37,6 @@ struct View {
   double scale;  ///< of extent and distance
 };
 
-// Products leave digits that nobody wants to read: to 0.1 mm.
-double Rounded(double length_m) {
-  constexpr double kPerMeter = 1e4;
-  return std::round(length_m * kPerMeter) / kPerMeter;
-}
-Vector3 Rounded(const Vector3& p_m) { return {Rounded(p_m.x), Rounded(p_m.y), Rounded(p_m.z)}; }
-
 View ViewOf(const Anatomy& anatomy, Sides sides, bool has_skin) {
   const Anatomy adult = BuiltInAnatomy();
   const double size = Reach_m(anatomy) / Reach_m(adult);
@@ -66,7 +59,7 @@ void WriteCamera(XmlElement& world, const View& view, const char* name, const Ve
                  const std::array<double, 6>& xyaxes) {
   world.Add("camera")
       .Set("name", name)
-      .Set("pos", Rounded(view.center_m + view.scale * kCameraDistance_m * direction))
+      .Set("pos", RoundedPlace_m(view.center_m + view.scale * kCameraDistance_m * direction))
       .Set("xyaxes", xyaxes);
 }
 
@@ -80,8 +73,8 @@ std::string SceneXml(const std::string& model_file, const Anatomy& anatomy, Side
   root.Set("model", "girdle scene");
   root.Add("include").Set("file", model_file);
   root.Add("statistic")
-      .Set("center", Rounded(view.center_m))
-      .Set("extent", Rounded(view.scale * kExtent_m));
+      .Set("center", RoundedPlace_m(view.center_m))
+      .Set("extent", RoundedLength_m(view.scale * kExtent_m));
   XmlElement visual = root.Add("visual");
   visual.Add("headlight")
       .Set("diffuse", std::array{0.5, 0.5, 0.5})

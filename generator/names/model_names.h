@@ -15,6 +15,7 @@
 #include <string_view>
 
 #include "kinematics/shoulder_pose.h"
+#include "names/side.h"
 
 namespace girdle {
 
@@ -73,17 +74,6 @@ inline constexpr std::size_t kDistance =
     kError + kCoordinateCount;  ///< of the command from measured data
 inline constexpr std::size_t kSize = kDistance + 1;
 }  // namespace sensor_layout
-
-enum class Side { kRight, kLeft };
-
-/// Words for the sides and what their elements' names end in, in the order of the enumerators.
-inline constexpr std::array<std::string_view, 2> kSideNames = {"right", "left"};
-inline constexpr std::array<std::string_view, 2> kSideSuffixes = {"_r", "_l"};
-
-/// Returns the name of one side's element: `scapula_r`.
-[[nodiscard]] inline std::string SidedName(std::string_view stem, Side side) {
-  return std::string(stem) + std::string(kSideSuffixes[static_cast<std::size_t>(side)]);
-}
 
 /// Stem of the equality that holds the AC joint together in the assembly loop.
 inline constexpr std::string_view kConnectName = "AC";

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "mjcf/model_sections.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "names/joint_dynamics.h"
+
+namespace girdle {
+namespace {
+
+// How far a user may push a joint off its target.
+constexpr double kTrimRange_rad = 30 * kRadiansPerDegree;
+constexpr double kTranslationTrimRange_m = 0.03;
+// No arm is faster: a pitcher's humerus turns at 120 rad/s.
+constexpr double kFastestCommand_rad_per_s = 150;
+
+// The axial turns that keep the table's own GH within its range at every position. Where closure
+// has turned GH further the rhythm bounds them by the joint's range.
+CoordinateRange AxialRange(const ModelPlan& plan) {
+  const RhythmTable& table = plan.rhythm().table();
+  double lowest_rad = table.position(0, 0).angles_rad[kGhAxialIndex];
+  double highest_rad = lowest_rad;
+  for (std::size_t plane = 0; plane < table.planes_rad().size(); ++plane) {
+    for (std::size_t elevation = 0; elevation < table.elevations_rad().size(); ++elevation) {
+      const double axial_rad = table.position(plane, elevation).angles_rad[kGhAxialIndex];
+      lowest_rad = std::min(lowest_rad, axial_rad);
+      highest_rad = std::max(highest_rad, axial_rad);
+    }
+  }
+  const CoordinateRange& range = plan.anatomy.ranges[kGhAxialIndex];
+  return {range.lower_rad - lowest_rad, range.upper_rad - highest_rad};
+}
+
+void WritePluginActuators(const ModelPlan& plan, XmlElement& actuator, Side side) {
+  const ArmRectangle& domain = plan.rhythm().domain();
+  // A command has no force of its own; MuJoCo wants it to act on something all the same.
+  const auto write_command = [&](std::string_view name, const CoordinateRange& range) {
+    actuator.Add("plugin")
+        .Set("name", SidedName(name, side))
+        .Set("joint", SidedName(kCoordinateNames[kGhAxialIndex], side))
+        .Set("instance", SidedName(kRhythmName, side))
+        .Set("gear", 0)
+        .Set("ctrlrange", std::array{range.lower_rad, range.upper_rad});
+  };
+  write_command(kCommandNames[0], {domain.lowest_elevation_rad, domain.highest_elevation_rad});
+  write_command(kCommandNames[1], {domain.first_plane_rad, domain.last_plane_rad});
+  write_command(kCommandNames[2], AxialRange(plan));
+  if (plan.options.has_offsets) {
+    write_command(kOffsetNames[0], kShrugRange);
+    write_command(kOffsetNames[1], kProtractionRange);
+  }
+  if (plan.options.has_rates) {
+    for (const std::string_view rate : kRateNames) {
+      write_command(rate, {-kFastestCommand_rad_per_s, kFastestCommand_rad_per_s});
+    }
+  }
+  const auto write_servo = [&](std::string_view coordinate, double trim) {
+    actuator.Add("plugin")
+        .Set("name", SidedName(coordinate, side))
+        .Set("joint", SidedName(coordinate, side))
+        .Set("instance", SidedName(kRhythmName, side))
+        .Set("ctrlrange", std::array{-trim, trim});
+  };
+  for (const std::string_view coordinate : plan.coordinates) {
+    write_servo(coordinate, kTrimRange_rad);
+  }
+  if (plan.drives_place()) {
+    for (const std::string_view translation : kTranslationNames) {
+      write_servo(translation, kTranslationTrimRange_m);
+    }
+  }
+}
+
+void WritePositionActuators(const ModelPlan& plan, XmlElement& actuator, Side side) {
+  for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+    if (plan.StiffnessOf(k) > 0) {
+      const CoordinateRange& range = plan.RangeOf(k);
+      actuator.Add("position")
+          .Set("name", SidedName(plan.coordinates[k], side))
+          .Set("joint", SidedName(plan.coordinates[k], side))
+          .Set("kp", plan.StiffnessOf(k))
+          .Set("ctrlrange", std::array{range.lower_rad, range.upper_rad});
+    }
+  }
+  if (plan.drives_place()) {
+    for (const std::string_view translation : kTranslationNames) {
+      actuator.Add("position")
+          .Set("name", SidedName(translation, side))
+          .Set("joint", SidedName(translation, side))
+          .Set("kp", kLeadingTranslation.stiffness_N_per_m);
+    }
+  }
+}
+
+}  // namespace
+
+void WriteActuators(const ModelPlan& plan, XmlElement root) {
+  XmlElement actuator = root.Add("actuator");
+  for (const Side side : plan.sides) {
+    if (plan.has_plugin()) {
+      WritePluginActuators(plan, actuator, side);
+    } else {
+      WritePositionActuators(plan, actuator, side);
+    }
+  }
+}
+
+}  // namespace girdle

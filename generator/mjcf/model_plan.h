@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+/// What the sections of an emitted model share: what was asked for, and what follows from it once.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include "mjcf/shoulder_model.h"
+
+namespace girdle {
+
+using LigamentLengths = std::array<double, kLigamentCount>;  ///< [m], in the order of LigamentName
+
+/// Anatomy and options have to outlive it.
+struct ModelPlan {
+  /// Throws std::invalid_argument as ShoulderModelXml does.
+  ModelPlan(const Anatomy& model_anatomy, const ShoulderRhythm& rhythm,
+            const ShoulderModelOptions& model_options);
+
+  const Anatomy& anatomy;
+  const ShoulderModelOptions& options;
+  AssembledRhythm assembled;
+  std::vector<Side> sides;  ///< in the order in which the model has them
+  /// Stems of the nine coordinates that the assembly drives.
+  std::array<std::string_view, kCoordinateCount> coordinates;
+  ShoulderPose rest;     ///< where controls of zero lead
+  JointAngles rest_rad;  ///< the driven coordinates there
+  /// From which length on each ligament pulls.
+  LigamentLengths slack_m{};
+
+  [[nodiscard]] const ShoulderRhythm& rhythm() const noexcept { return assembled.rhythm(); }
+  [[nodiscard]] bool is_loop() const noexcept { return options.assembly == Assembly::kLoop; }
+  [[nodiscard]] bool has_plugin() const noexcept { return options.actuation == Actuation::kPlugin; }
+  /// Whether servos drive the scapula's place.
+  [[nodiscard]] bool drives_place() const noexcept { return options.lead == Lead::kScapula; }
+
+  /// Range of a driven coordinate.
+  [[nodiscard]] const CoordinateRange& RangeOf(std::size_t coordinate) const noexcept;
+  /// Stiffness of the servo of a driven coordinate [N m/rad]; 0 for one that follows.
+  [[nodiscard]] double StiffnessOf(std::size_t coordinate) const noexcept;
+  /// PAC in the thorax frame [m] where the clavicle takes it.
+  [[nodiscard]] Vector3 PlaceOfScapula(const ShoulderPose& pose) const noexcept;
+};
+
+}  // namespace girdle
