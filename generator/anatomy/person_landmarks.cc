@@ -65,9 +65,7 @@ constexpr Bone kBones[] = {
     {Landmark::kEM, Landmark::kEL, Segment::kHumerus},
 };
 
-std::string_view NameOf(Landmark landmark) {
-  return kLandmarks[static_cast<std::size_t>(landmark)].name;
-}
+std::string_view NameOf(Landmark landmark) { return DefinitionOf(landmark).name; }
 std::string_view NameOf(Segment segment) {
   return kSegmentNames[static_cast<std::size_t>(segment)];
 }
@@ -92,9 +90,7 @@ std::optional<Segment> SegmentFrom(Landmark origin) {
   return std::nullopt;
 }
 
-Segment SegmentOf(Landmark landmark) {
-  return kLandmarks[static_cast<std::size_t>(landmark)].segment;
-}
+Segment SegmentOf(Landmark landmark) { return DefinitionOf(landmark).segment; }
 
 // What the file says of one landmark in one segment's frame.
 struct Row {

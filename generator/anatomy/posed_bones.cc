@@ -27,16 +27,14 @@ Vector3 InThorax_m(const Anatomy& anatomy, const ShoulderPose& pose, Segment seg
 
 ShoulderPose PoseOfBones(Side side, const std::array<Quaternion, kSegmentCount>& q_AB) noexcept {
   const auto joint = [&](std::size_t child) {
-    const Quaternion q = glm::conjugate(q_AB[child - 1]) * q_AB[child];
-    return side == Side::kRight ? q : Mirrored(q);
+    return OnSide(side, glm::conjugate(q_AB[child - 1]) * q_AB[child]);
   };
   return {joint(1), joint(2), joint(3)};
 }
 
 Vector3 LandmarkInThorax_m(const Anatomy& anatomy, const ShoulderPose& pose,
                            Landmark landmark) noexcept {
-  return InThorax_m(anatomy, pose, kLandmarks[static_cast<std::size_t>(landmark)].segment,
-                    anatomy.landmark_m(landmark));
+  return InThorax_m(anatomy, pose, DefinitionOf(landmark).segment, anatomy.landmark_m(landmark));
 }
 
 double LigamentLength_m(const Ligament& ligament, const Anatomy& anatomy,

@@ -31,8 +31,8 @@ struct CompareArguments {
   bool json = false;
 };
 
-constexpr SweptAngle kElevation = {"--elevation", "0:180:5", 0, 180};
-constexpr SweptAngle kPlane = {"--plane", "-60:135:5", -180, 180};
+constexpr SweptAngle kElevation = {"--elevation", kWholeElevations, 0, kHalfCircle_deg};
+constexpr SweptAngle kPlane = {"--plane", kWholePlanes, -kHalfCircle_deg, kHalfCircle_deg};
 
 ComparisonMap ChosenMap(const CompareArguments& arguments) {
   const auto values_rad = [](const SweptAngle& angle, const std::string& text) {
@@ -93,15 +93,15 @@ void CompareRhythms(const CompareArguments& arguments) {
 
 void AddCompareCommand(CLI::App& program) {
   auto arguments = std::make_shared<CompareArguments>();
-  arguments->elevations = kElevation.example;
-  arguments->planes = kPlane.example;
+  arguments->elevations = kWholeElevations;
+  arguments->planes = kWholePlanes;
   CLI::App* verb =
       program.add_subcommand("compare", "Published shoulder rhythms beside the measured one");
   verb->add_option("--elevation", arguments->elevations,
-                   "Humeral elevations of the map (default 0:180:5)")
+                   std::string("Humeral elevations of the map (default ") + kWholeElevations + ")")
       ->type_name("FROM:TO:STEP");
   verb->add_option("--plane", arguments->planes,
-                   "Planes of elevation of the map (default -60:135:5)")
+                   std::string("Planes of elevation of the map (default ") + kWholePlanes + ")")
       ->type_name("FROM:TO:STEP");
   verb->add_option(
           "--out", arguments->out,

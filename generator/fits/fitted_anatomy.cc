@@ -4,10 +4,10 @@
 #include "fits/fitted_anatomy.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "anatomy/posed_bones.h"
 #include "fits/gliding_fit.h"
+#include "kinematics/lengths.h"
 #include "rhythm_tables/built_in_tables.h"
 
 namespace girdle {
@@ -24,11 +24,6 @@ double LongestLength_m(const Ligament& ligament, const Anatomy& anatomy, const R
   return longest_m;
 }
 
-double RoundedUp_m(double length_m) {
-  constexpr double kPerMeter = 1e4;
-  return std::ceil(length_m * kPerMeter) / kPerMeter;
-}
-
 }  // namespace
 
 void FitGliding(Anatomy& anatomy) {
@@ -40,8 +35,8 @@ void FitLigaments(Anatomy& anatomy) {
   const RhythmTable measured = BuiltInRhythmTable(BuiltInTable::kMeasured);
   const RhythmTable destepped = BuiltInRhythmTable(BuiltInTable::kDestepped);
   for (Ligament& ligament : anatomy.ligaments) {
-    ligament.slack_m = RoundedUp_m(std::max(LongestLength_m(ligament, anatomy, measured),
-                                            LongestLength_m(ligament, anatomy, destepped)));
+    ligament.slack_m = RoundedUpLength_m(std::max(LongestLength_m(ligament, anatomy, measured),
+                                                  LongestLength_m(ligament, anatomy, destepped)));
   }
 }
 

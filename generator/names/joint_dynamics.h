@@ -26,6 +26,9 @@ inline constexpr std::array<JointDynamics, kJointCount> kJointDynamics = {{
     {500, 10, 0.01},
 }};
 
+/// Of the plugin's servos in a model that does not say how stiff they are: as of GH.
+inline constexpr double kDefaultStiffness_N_m_per_rad = kJointDynamics[2].stiffness_N_m_per_rad;
+
 /// In an assembly loop, of the hinges of a bone that follows instead of leading: only what keeps it
 /// from ringing.
 inline constexpr double kFollowerDamping_N_m_s_per_rad = 0.5;
@@ -49,13 +52,23 @@ inline constexpr TranslationDynamics kFollowingTranslation = {0, 1, 0.05};
 inline constexpr std::array<double, 2> kConnectSolref = {0.004, 0.7};
 inline constexpr std::array<double, 3> kConnectSolimp = {0.99, 0.99, 0.001};
 
-/// How the thorax pushes TS and AI out of the gliding ellipsoid: F = k p, 20 kN/m at a depth p, as
-/// in other shoulder models. With an impedance d, one number in solimp, MuJoCo's direct solref
-/// (-s, -b) gives F = s p / ((1 - d) w) at rest, w [1/kg] the scapula's inverse weight
-/// (body_invweight0), so that s = (1 - d) k w. For the built-in anatomy w is 0.265 in a tree and
-/// 0.603 in a loop; for heavier bones k is larger in proportion. b = 2 sqrt(s d) is critical.
-inline constexpr std::array<double, 3> kThoraxContactSolimp = {0.5, 0.5, 0.001};
-inline constexpr std::array<double, 2> kTreeThoraxContactSolref = {-2650, -73};
-inline constexpr std::array<double, 2> kLoopThoraxContactSolref = {-6030, -110};
+/// How hard the thorax pushes TS and AI out of the gliding ellipsoid: F = k p at a depth p, with k
+/// as in other shoulder models.
+inline constexpr double kThoraxContactStiffness_N_per_m = 20'000;
+/// With an impedance d, one number in solimp, MuJoCo's direct solref (-s, -b) gives F = s p / ((1 -
+/// d) w) at rest, w [1/kg] the scapula's inverse weight (body_invweight0), so that s = (1 - d) k w.
+/// For heavier bones than the built-in ones k is larger in proportion. b = 2 sqrt(s d) is critical.
+inline constexpr double kThoraxContactImpedance = 0.5;
+inline constexpr std::array<double, 3> kThoraxContactSolimp = {kThoraxContactImpedance,
+                                                               kThoraxContactImpedance, 0.001};
+/// (-s, -b) for the inverse weight of a scapula, with b given.
+[[nodiscard]] constexpr std::array<double, 2> ThoraxContactSolref(double inverse_weight_per_kg,
+                                                                  double damping_per_s) noexcept {
+  return {-(1 - kThoraxContactImpedance) * kThoraxContactStiffness_N_per_m * inverse_weight_per_kg,
+          -damping_per_s};
+}
+/// Of the built-in scapula, where it hangs from the clavicle and where it hangs from the thorax.
+inline constexpr std::array<double, 2> kTreeThoraxContactSolref = ThoraxContactSolref(0.265, 73);
+inline constexpr std::array<double, 2> kLoopThoraxContactSolref = ThoraxContactSolref(0.603, 110);
 
 }  // namespace girdle

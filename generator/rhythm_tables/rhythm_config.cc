@@ -9,17 +9,13 @@
 #include <string_view>
 #include <vector>
 
+#include "names/joint_dynamics.h"
 #include "rhythm_tables/built_in_tables.h"
 #include "rhythm_tables/rhythm_table_csv.h"
 #include "text/number_text.h"
 
 namespace girdle {
 namespace {
-
-// Of all nine servos if the configuration does not say.
-constexpr double kDefaultStiffness_N_m_per_rad = 500;
-// Of the servos of the scapula's place, if there are any.
-constexpr double kDefaultTranslationStiffness_N_per_m = 10000;
 
 template <std::size_t N>
 std::string OneOf(const std::array<std::string_view, N>& names) {
@@ -102,7 +98,7 @@ RhythmConfig ParseRhythmConfig(const RhythmConfigText& text) {
   }
   Side side = Side::kRight;
   Choose(kSideKey, text.side, SideFromName, kSideNames, side);
-  double translation_stiffness_N_per_m = kDefaultTranslationStiffness_N_per_m;
+  double translation_stiffness_N_per_m = kLeadingTranslation.stiffness_N_per_m;
   if (!text.translation_stiffness.empty()) {
     const std::optional<double> number = FiniteNumber(text.translation_stiffness);
     if (!number || *number <= 0) {

@@ -94,9 +94,7 @@ class ShapeMaker {
     return scales_[static_cast<std::size_t>(segment)];
   }
   [[nodiscard]] Vector3 At(Landmark landmark, Side side) const {
-    return OnSideInThorax_m(body_.anatomy, body_.pose, side,
-                            kLandmarks[static_cast<std::size_t>(landmark)].segment,
-                            body_.anatomy.landmark_m(landmark));
+    return OnSideInThorax_m(body_.anatomy, body_.pose, side, landmark);
   }
 
   const PosedBody& body_;

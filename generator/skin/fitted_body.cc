@@ -146,18 +146,15 @@ void TurnForearms(const Vector3& forearm_m, const SkinWeights& artist, PosedBody
   const double length_m = glm::length(body.anatomy.elbow_m());
   for (const Side side : {Side::kRight, Side::kLeft}) {
     const std::vector<bool> is_arm = ArmsOf(artist, {side});
-    const auto on_right = [side](const Vector3& p_m) {
-      return side == Side::kRight ? p_m : Mirrored(p_m);
-    };
     const Vector3 shoulder_m = InThorax_m(body.anatomy, body.pose, Segment::kHumerus, {0, 0, 0});
     for (std::size_t i = 0; i < is_arm.size(); ++i) {
       if (!is_arm[i]) continue;
       Vector3& vertex = body.surface.vertices_m[i];
-      const Vector3 p_H = glm::conjugate(q_TH) * (on_right(vertex) - shoulder_m);
+      const Vector3 p_H = glm::conjugate(q_TH) * (OnSide(side, vertex) - shoulder_m);
       const double share =
           std::clamp((-p_H.y / length_m - kTwistBegins) / (1 - kTwistBegins), 0.0, 1.0);
       const Quaternion twist = QuaternionFromEuler(EulerSequence::kYXZ, {share * turn_rad, 0, 0});
-      vertex = on_right(shoulder_m + q_TH * (twist * p_H));
+      vertex = OnSide(side, shoulder_m + q_TH * (twist * p_H));
     }
   }
 }

@@ -218,9 +218,7 @@ class BodyBuilder {
                             place_mm * Millimeter_m(segment));
   }
   [[nodiscard]] Vector3 Landmark_m(Landmark landmark, Side side) const {
-    return OnSideInThorax_m(body_.anatomy, body_.pose, side,
-                            kLandmarks[static_cast<std::size_t>(landmark)].segment,
-                            body_.anatomy.landmark_m(landmark));
+    return OnSideInThorax_m(body_.anatomy, body_.pose, side, landmark);
   }
   void Add(const Vector3& from_m, double from_radius_m, const Vector3& to_m, double to_radius_m) {
     Add(from_m, from_radius_m, to_m, to_radius_m, solids_);

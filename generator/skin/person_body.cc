@@ -31,8 +31,8 @@ void CheckLandmarks(const PosedBody& body, const std::vector<Side>& sides,
     double shallowest_m = 0;
     std::size_t count = 0;
     for (std::size_t i = 0; i < kLandmarkCount; ++i) {
-      const double depth_m = skin.Depth_m(OnSideInThorax_m(
-          body.anatomy, body.pose, side, kLandmarks[i].segment, body.anatomy.landmarks_m[i]));
+      const double depth_m =
+          skin.Depth_m(OnSideInThorax_m(body.anatomy, body.pose, side, static_cast<Landmark>(i)));
       if (depth_m >= -kOutsideSkin_m) continue;
       ++count;
       shallowest_m = std::min(shallowest_m, depth_m);

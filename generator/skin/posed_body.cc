@@ -41,14 +41,17 @@ BoneFrame FrameInThorax(const Anatomy& anatomy, const ShoulderPose& pose,
       break;
   }
   frame.p_TB_m = InThorax_m(anatomy, pose, bone.segment, {0, 0, 0});
-  return bone.side == Side::kRight ? frame
-                                   : BoneFrame{Mirrored(frame.q_TB), Mirrored(frame.p_TB_m)};
+  return {OnSide(bone.side, frame.q_TB), OnSide(bone.side, frame.p_TB_m)};
 }
 
 Vector3 OnSideInThorax_m(const Anatomy& anatomy, const ShoulderPose& pose, Side side,
                          Segment segment, const Vector3& point_m) noexcept {
-  const Vector3 p_m = InThorax_m(anatomy, pose, segment, point_m);
-  return side == Side::kRight ? p_m : Mirrored(p_m);
+  return OnSide(side, InThorax_m(anatomy, pose, segment, point_m));
+}
+
+Vector3 OnSideInThorax_m(const Anatomy& anatomy, const ShoulderPose& pose, Side side,
+                         Landmark landmark) noexcept {
+  return OnSide(side, LandmarkInThorax_m(anatomy, pose, landmark));
 }
 
 Vector3 AcromionTip_m(const Anatomy& anatomy) noexcept {

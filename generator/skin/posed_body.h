@@ -52,6 +52,9 @@ struct BoneFrame {
 /// for the shoulder of `side` [m].
 [[nodiscard]] Vector3 OnSideInThorax_m(const Anatomy& anatomy, const ShoulderPose& pose, Side side,
                                        Segment segment, const Vector3& point_m) noexcept;
+/// Returns a landmark of the shoulder of `side` in the thorax frame [m].
+[[nodiscard]] Vector3 OnSideInThorax_m(const Anatomy& anatomy, const ShoulderPose& pose, Side side,
+                                       Landmark landmark) noexcept;
 
 /// Returns the tip of the acromion, scapula frame [m]: its front outer corner, beside and before
 /// the AC joint's centre, above the head of the humerus. No landmark of the ISB; put an acromion's

@@ -46,7 +46,7 @@ SkinLandmarkVertices FindSkinLandmarks(const PosedBody& body, Side side) {
   const Vector3& angle = anatomy.landmark_m(Landmark::kAA);
   const Vector3 shoulder = at(Segment::kHumerus, {0, 0, 0});
   const Vector3 elbow = at(Segment::kHumerus, anatomy.elbow_m());
-  const Vector3 away{0, 0, side == Side::kRight ? 1.0 : -1.0};
+  const Vector3 away = OnSide(side, Vector3(0, 0, 1));
   const Vector3 along = glm::normalize(elbow - shoulder);
   const Vector3 outward = glm::normalize(away - glm::dot(away, along) * along);
 

@@ -237,8 +237,7 @@ LandmarkDepths LandmarkDepths_m(const SkinOnBones& skin, const ShoulderPose& pos
   const bool has_both = covers(Side::kRight) && covers(Side::kLeft);
   LandmarkDepths depths_m{};
   for (std::size_t i = 0; i < kLandmarkCount; ++i) {
-    const Vector3 point_m = OnSideInThorax_m(skin.anatomy(), pose, side, kLandmarks[i].segment,
-                                             skin.anatomy().landmarks_m[i]);
+    const Vector3 point_m = OnSideInThorax_m(skin.anatomy(), pose, side, static_cast<Landmark>(i));
     depths_m[i] =
         surface.Depth_m(has_both && !kLandmarks[i].sided ? InMedianPlane(point_m) : point_m);
   }
