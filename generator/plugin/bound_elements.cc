@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "plugin/bound_elements.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace girdle {
+
+double BoundControl::Read(const ModelView& model, const DataView& data) const noexcept {
+  const double value = Raw(data);
+  if (!exists() || model.actuator_ctrllimited[address] == 0 ||
+      model.Disables(model.engine->disable_clampctrl)) {
+    return value;
+  }
+  const mjtNum* range = model.actuator_ctrlrange + 2 * address;
+  return std::clamp(value, range[0], range[1]);
+}
+
+double BoundControl::ReadFinite(const ModelView& model, const DataView& data) const noexcept {
+  const double value = Read(model, data);
+  return std::isfinite(value) ? value : 0;
+}
+
+// The bits of the option stand for the first groups; other groups cannot be disabled.
+bool BoundServo::IsDisabled(const ModelView& model) const noexcept {
+  constexpr int kBits = 31;
+  return group >= 0 && group < kBits && ((model.disableactuator >> group) & 1) != 0;
+}
+
+}  // namespace girdle
