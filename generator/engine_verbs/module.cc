@@ -22,6 +22,7 @@
 #include "rhythm_tables/rhythm_config.h"
 #include "rhythm_tables/rhythm_table_csv.h"
 #include "simulation/engine.h"
+#include "simulation/loaded_shoulders.h"
 #include "simulation/mapped_arm.h"
 #include "simulation/mapped_shoulder.h"
 #include "simulation/model_mapping.h"
@@ -38,8 +39,8 @@ namespace {
 std::string CheckModel(const ModelFiles& files, const std::string& plugin) {
   const EngineWatch watch;
   LoadPlugin(plugin);
-  const ShoulderSimulation simulation(LoadModel(files), files.front().first);
-  const mjModel& model = simulation.model();
+  const LoadedShoulders shoulders(LoadModel(files), files.front().first);
+  const mjModel& model = shoulders.model();
   return "MuJoCo " + std::string(mj_versionString()) + " loads it: " + std::to_string(model.njnt) +
          " joints, " + std::to_string(model.nactuator) + " actuators, " +
          std::to_string(model.nkey) + " keyframes";
@@ -61,13 +62,13 @@ double LargestError_deg(const ShoulderState& state) {
   return DegreesFromRadians(largest_rad);
 }
 
-std::string ConfigText(const ShoulderSimulation& simulation, const char* key) {
+std::string ConfigText(const LoadedShoulders& simulation, const char* key) {
   const char* text = mj_getPluginConfig(&simulation.model(), simulation.elements().instance, key);
   return text == nullptr ? "" : text;
 }
 
 // What the model says of its rhythm; position servos say nothing and stand for the defaults.
-RhythmConfig ConfigOf(const ShoulderSimulation& simulation) {
+RhythmConfig ConfigOf(const LoadedShoulders& simulation) {
   if (!simulation.has_plugin()) {
     return ParseRhythmConfig({});
   }
@@ -78,7 +79,7 @@ RhythmConfig ConfigOf(const ShoulderSimulation& simulation) {
 }
 
 // The rhythm that the model says it uses, with what the user says instead.
-ShoulderRhythm RhythmOf(const ShoulderSimulation& simulation, const RhythmOverride& override) {
+ShoulderRhythm RhythmOf(const LoadedShoulders& simulation, const RhythmOverride& override) {
   RhythmConfig config = ConfigOf(simulation);
   if (override.range || override.interpolation || override.closure) {
     config.options.range = override.range;
@@ -100,7 +101,7 @@ ShoulderRhythm RhythmOf(const ShoulderSimulation& simulation, const RhythmOverri
   }
 }
 
-AssembledRhythm AssembledOf(const ShoulderSimulation& simulation, ShoulderRhythm rhythm) {
+AssembledRhythm AssembledOf(const LoadedShoulders& simulation, ShoulderRhythm rhythm) {
   try {
     const JointRanges& ranges = simulation.ranges();
     return {std::move(rhythm), simulation.elements().assembly, {ranges[3], ranges[4], ranges[5]}};
@@ -110,7 +111,7 @@ AssembledRhythm AssembledOf(const ShoulderSimulation& simulation, ShoulderRhythm
 }
 
 // Refuses a model that moves otherwise than the user says.
-void ExpectRhythm(const ShoulderSimulation& simulation, const RhythmOverride& override) {
+void ExpectRhythm(const LoadedShoulders& simulation, const RhythmOverride& override) {
   if (!simulation.has_plugin()) {
     return;  // follows whatever it is given
   }
@@ -135,7 +136,7 @@ void ExpectRhythm(const ShoulderSimulation& simulation, const RhythmOverride& ov
   }
 }
 
-std::string TableName(const ShoulderSimulation& simulation, const RhythmOverride& override) {
+std::string TableName(const LoadedShoulders& simulation, const RhythmOverride& override) {
   if (!override.table.empty()) {
     return override.table;
   }
@@ -155,22 +156,21 @@ SimulationSummary Simulate(const std::string& model_path, const std::string& plu
   const Motion motion = RequestedMotion(request);
   const EngineWatch watch;
   LoadPlugin(plugin);
-  ShoulderSimulation simulation(LoadModel(model_path), model_path);
-  ExpectRhythm(simulation, rhythm);
+  LoadedShoulders loaded(LoadModel(model_path), model_path);
+  ExpectRhythm(loaded, rhythm);
   if (request.side) {
-    simulation.Watch(*request.side);
+    loaded.Watch(*request.side);
   }
-  const Assembly assembly = simulation.elements().assembly;
-  const AssembledRhythm own = AssembledOf(
-      simulation, RhythmOf(simulation, simulation.has_plugin() ? RhythmOverride{} : rhythm));
-  simulation.Follow(own);
+  AssembledRhythm own =
+      AssembledOf(loaded, RhythmOf(loaded, loaded.has_plugin() ? RhythmOverride{} : rhythm));
+  ShoulderSimulation simulation(std::move(loaded), std::move(own));
   const auto steps = static_cast<long>(std::lround(motion.duration_s / simulation.timestep_s()));
   const auto command_at = [&](long step) {
     return ReplayableCommand(motion.command(static_cast<double>(step) * simulation.timestep_s()));
   };
   SimulationPictures drawn(simulation, pictures);
   simulation.Start(command_at(0));
-  trace(TraceHeader(assembly));
+  trace(TraceHeader(simulation.elements().assembly));
   if (controls) {
     if (simulation.has_plugin() && simulation.elements().rate_controls.front() >= 0) {
       throw InputError(model_path +
@@ -200,7 +200,8 @@ SimulationSummary Simulate(const std::string& model_path, const std::string& plu
     }
     ++summary.rows;
     // The plugin's sensor does not say how much of an offset was left.
-    summary.clamped_rows += state.clamped || own.rhythm().Solve(state.command).clamped ? 1 : 0;
+    summary.clamped_rows +=
+        state.clamped || simulation.rhythm().rhythm().Solve(state.command).clamped ? 1 : 0;
     summary.worst_distance_deg =
         std::max(summary.worst_distance_deg, DegreesFromRadians(state.distance_rad));
     summary.duration_s = state.time_s;
@@ -237,9 +238,8 @@ int KeyframeOf(const mjModel& model, const std::string& model_name, const std::s
 }
 
 // Puts the arms where the request has them.
-void Pose(ShoulderSimulation& simulation, const RenderRequest& request,
-          const RhythmOverride& override, bool& clamped) {
-  const AssembledRhythm rhythm = AssembledOf(simulation, RhythmOf(simulation, override));
+void Pose(ShoulderSimulation& simulation, const RenderRequest& request, bool& clamped) {
+  const AssembledRhythm& rhythm = simulation.rhythm();
   const ShoulderPose rest = rhythm.SolvePose({});
   for (const ShoulderElements& shoulder : simulation.shoulders()) {
     const bool is_meant = !request.side || *request.side == shoulder.side;
@@ -274,15 +274,17 @@ RenderResult Render(const std::string& model_path, const std::string& plugin,
     result.png = PngBytes(renderer.Draw(*data));
     return result;
   }
-  ShoulderSimulation simulation(std::move(model), model_path);
+  LoadedShoulders loaded(std::move(model), model_path);
   if (request.side) {
-    simulation.Watch(*request.side);
+    loaded.Watch(*request.side);
   }
+  AssembledRhythm rhythm = AssembledOf(loaded, RhythmOf(loaded, override));
+  ShoulderSimulation simulation(std::move(loaded), std::move(rhythm));
   FrameRenderer renderer(simulation.model(), model_path, request.view);
   if (key >= 0) {
     simulation.PutAtKeyframe(key);
   }
-  Pose(simulation, request, override, result.clamped);
+  Pose(simulation, request, result.clamped);
   result.png = PngBytes(renderer.Draw(simulation.data()));
   return result;
 }
@@ -317,11 +319,12 @@ VerifyResult Verify(const std::string& model_path, const std::string& plugin,
                     bool json, const ProgressSink& progress) {
   const EngineWatch watch;
   LoadPlugin(plugin);
-  ShoulderSimulation simulation(LoadModel(model_path), model_path);
-  const AssembledRhythm rhythm = AssembledOf(simulation, RhythmOf(simulation, override));
-  simulation.Follow(rhythm);
+  LoadedShoulders loaded(LoadModel(model_path), model_path);
+  AssembledRhythm meant = AssembledOf(loaded, RhythmOf(loaded, override));
+  ShoulderSimulation simulation(std::move(loaded), std::move(meant));
+  const AssembledRhythm& rhythm = simulation.rhythm();
   ResidualReport report = MeasureResiduals(simulation, rhythm, anatomy, progress, girdle);
-  report.rhythm = RhythmText(rhythm.rhythm().options(), TableName(simulation, override));
+  report.rhythm = RhythmText(rhythm.rhythm().options(), TableName(simulation.loaded(), override));
   report.kind =
       KindOf(simulation) + (girdle == GirdleMotion::kFrozen ? ", skin of a frozen girdle" : "");
   return {json ? ReportAsJson(report) : ReportAsText(report), report.passed()};

@@ -1,115 +1,37 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// The shoulders in a MuJoCo model: their elements, their state, and stepping them.
+/// Stepping the shoulders of a MuJoCo model.
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "anatomy/anatomy.h"
 #include "kinematics/assembled_rhythm.h"
-#include "names/model_names.h"
 #include "simulation/engine.h"
+#include "simulation/loaded_shoulders.h"
 #include "simulation/motion.h"
+#include "simulation/shoulder_elements.h"
+#include "simulation/shoulder_state.h"
 
 namespace girdle {
-
-/// Sites whose positions are read: all landmarks, then the child side of SC, AC and GH.
-inline constexpr std::size_t kSiteCount = kLandmarkCount + kJointCount;
-
-/// Returns the name of a site's column stem and of the site itself without side: `TS`,
-/// `PAC_scapula`.
-[[nodiscard]] std::string_view SiteStem(std::size_t site);
-
-/// Ids and addresses of one shoulder's elements.
-struct ShoulderElements {
-  Side side = Side::kRight;
-  Assembly assembly = Assembly::kTree;
-  Lead lead = Lead::kClavicle;
-  /// Of the plugin; -1 where position servos move the joints.
-  int instance = -1;
-  std::array<int, kCommandCount> command_controls{};  ///< of a model with the plugin
-  std::array<int, kOffsetCount> offset_controls{};    ///< -1 where the model has none
-  std::array<int, kRateCount> rate_controls{};        ///< -1 where the model has none
-  /// Trims of the plugin's servos, or what the position servos are given; -1 where there is none.
-  std::array<int, kCoordinateCount> joint_controls{};
-  std::array<int, 3> place_controls{};  ///< of the scapula's place, -1 where it is not driven
-  std::array<int, kCoordinateCount> qpos{};
-  std::array<int, 3> place_qpos{};          ///< of the scapula's place in a loop
-  int connect = -1;                         ///< equality that closes the AC joint of a loop
-  std::array<int, kSegmentCount> bodies{};  ///< in the order of Segment
-  std::array<int, kSiteCount> sites{};
-  std::array<int, kLigamentCount> tendons{};  ///< in the order of LigamentName
-  int gliding = -1;                           ///< geom of models with thorax contact
-  int sensor = -1;                            ///< address in sensordata, where there is the plugin
-
-  [[nodiscard]] bool has_plugin() const noexcept { return instance >= 0; }
-  [[nodiscard]] bool has_thorax_contact() const noexcept { return gliding >= 0; }
-};
-
-/// Finds the shoulders by the names of model_names.h, the right one first. Throws InputError that
-/// names what is missing; `name` stands in the message for the model.
-[[nodiscard]] std::vector<ShoulderElements> FindShoulders(const mjModel& model,
-                                                          const std::string& name);
-
-/// The shoulder at one instant, from MuJoCo.
-struct ShoulderState {
-  double time_s = 0;
-  ArmCommand command;
-  JointAngles target_rad{};  ///< what the servos aim at, as DrivenCoordinates of the assembly
-  JointAngles position_rad{};
-  double fastest_rad_per_s = 0;  ///< of all hinges of the model
-  double fastest_m_per_s = 0;    ///< of its slides
-  /// The plugin used another command: the nearest within the controls' ranges and the rhythm's.
-  bool clamped = false;
-  double distance_rad = 0;     ///< of the command's direction from measured ones
-  double connect_force_N = 0;  ///< with which the AC joint of a loop is held together
-  std::array<double, kLigamentCount> ligament_m{};        ///< lengths
-  std::array<double, kLigamentCount> ligament_force_N{};  ///< with which they pull
-  /// With which the thorax pushes TS and AI, the larger one; 0 without thorax contact.
-  double contact_force_N = 0;
-  double contact_depth_m = 0;  ///< of the deeper one in the thorax
-  /// How far constraints hold the coordinates off what the servos aim at: torque over stiffness.
-  /// Of models with thorax contact, else 0.
-  JointAngles pushed_rad{};
-  std::array<Quaternion, kSegmentCount>
-      q_WB{};                                ///< thorax, clavicle, scapula, humerus in the world
-  std::array<Vector3, kSiteCount> site_m{};  ///< in the world
-
-  [[nodiscard]] const Quaternion& rotation(Segment segment) const noexcept {
-    return q_WB[static_cast<std::size_t>(segment)];
-  }
-  [[nodiscard]] const Vector3& landmark_m(Landmark landmark) const noexcept {
-    return site_m[static_cast<std::size_t>(landmark)];
-  }
-  /// Site on the child bone of joint SC, AC or GH.
-  [[nodiscard]] const Vector3& child_site_m(std::size_t joint) const noexcept {
-    return site_m[kLandmarkCount + joint];
-  }
-};
-
-/// Returns a left shoulder's state as that of the right one that it is the mirror image of, in the
-/// world mirrored in x and z.
-[[nodiscard]] ShoulderState MirroredToRight(const ShoulderState& left) noexcept;
 
 /// A model with its plugin, or with position servos, ready to step. All its shoulders get the same
 /// command; the states are those of one of them. Throws InputError where MuJoCo warns.
 class ShoulderSimulation {
  public:
-  /// `name` stands in messages for the model. Throws InputError if it lacks an element of a
-  /// shoulder or steps too coarsely for the servos.
-  ShoulderSimulation(ModelPointer model, std::string name);
-
-  /// Gives position servos, which know no rhythm, the one that they are to follow. Needed before
-  /// anything below unless has_plugin(). The rhythm must outlive the simulation.
-  void Follow(const AssembledRhythm& rhythm) noexcept { rhythm_ = &rhythm; }
+  /// `rhythm` is what position servos, which know none, are told to follow. A plugin has its own,
+  /// and does not look at it.
+  ShoulderSimulation(LoadedShoulders shoulders, AssembledRhythm rhythm);
+  /// With OwnRhythm.
+  explicit ShoulderSimulation(LoadedShoulders shoulders);
+  ShoulderSimulation(ModelPointer model, std::string name)
+      : ShoulderSimulation(LoadedShoulders(std::move(model), std::move(name))) {}
 
   /// Chooses the shoulder whose states are returned. Throws InputError if the model has no such
   /// side.
-  void Watch(Side side);
+  void Watch(Side side) { loaded_.Watch(side); }
 
   /// Puts the arm at rest where a command asks for it.
   void Start(const ArmCommand& command);
@@ -135,22 +57,25 @@ class ShoulderSimulation {
   /// Returns the pose of one shoulder, as that of a right one, where its bones are.
   [[nodiscard]] ShoulderPose PoseOf(const ShoulderElements& elements) const;
 
-  [[nodiscard]] const mjModel& model() const noexcept { return *model_; }
+  [[nodiscard]] const LoadedShoulders& loaded() const noexcept { return loaded_; }
+  [[nodiscard]] const AssembledRhythm& rhythm() const noexcept { return rhythm_; }
+  [[nodiscard]] const mjModel& model() const noexcept { return loaded_.model(); }
   /// For MuJoCo's functions that draw, which do not take it as constant.
-  [[nodiscard]] mjData& data() noexcept { return *data_; }
+  [[nodiscard]] mjData& data() noexcept { return loaded_.data(); }
+  [[nodiscard]] const mjData& data() const noexcept { return loaded_.data(); }
   [[nodiscard]] const std::vector<ShoulderElements>& shoulders() const noexcept {
-    return shoulders_;
+    return loaded_.shoulders();
   }
   /// Of the shoulder that is watched.
-  [[nodiscard]] const ShoulderElements& elements() const noexcept { return shoulders_[watched_]; }
-  [[nodiscard]] bool has_plugin() const noexcept { return shoulders_.front().has_plugin(); }
+  [[nodiscard]] const ShoulderElements& elements() const noexcept { return loaded_.elements(); }
+  [[nodiscard]] bool has_plugin() const noexcept { return loaded_.has_plugin(); }
   /// What position servos are to be given for the last command [rad; of a place m], and the names
   /// of their actuators: the control signal of the same model with position servos.
   [[nodiscard]] std::vector<double> Targets() const;
   [[nodiscard]] std::vector<std::string> TargetNames() const;
-  [[nodiscard]] const JointRanges& ranges() const noexcept { return ranges_; }
-  [[nodiscard]] double timestep_s() const noexcept { return model_->opt.timestep; }
-  [[nodiscard]] const std::string& name() const noexcept { return name_; }
+  [[nodiscard]] const JointRanges& ranges() const noexcept { return loaded_.ranges(); }
+  [[nodiscard]] double timestep_s() const noexcept { return loaded_.timestep_s(); }
+  [[nodiscard]] const std::string& name() const noexcept { return loaded_.name(); }
 
  private:
   void SetCommand(const ArmCommand& command, const CommandRate& rate);
@@ -173,14 +98,8 @@ class ShoulderSimulation {
                                       const JointAngles& position_rad) const;
   [[nodiscard]] double FastestJoint(mjtJoint type) const;
 
-  std::string name_;
-  ModelPointer model_;
-  DataPointer data_;
-  std::vector<ShoulderElements> shoulders_;
-  std::size_t watched_ = 0;
-  JointRanges ranges_;
-  JointAngles stiffness_N_m_per_rad_;  ///< of the servos
-  const AssembledRhythm* rhythm_ = nullptr;
+  LoadedShoulders loaded_;
+  AssembledRhythm rhythm_;
   /// What position servos were told last, and what of it they follow.
   ArmCommand used_;
   ShoulderPose target_;

@@ -150,9 +150,8 @@ TEST_F(ModelSkinTest, IsTheSameWhereverItWasBound) {
 class ModelSkinOfVariant : public ModelSkinTest, public testing::WithParamInterface<Variant> {};
 
 TEST_P(ModelSkinOfVariant, MovesWhileItSimulatesAsLinearBlendSkinningDoes) {
-  const AssembledRhythm rhythm(BuiltInRhythm(), GetParam().assembly);
-  ShoulderSimulation simulation(LoadSkinned(SkinnedXml(GetParam())), "shoulder.xml");
-  simulation.Follow(rhythm);
+  ShoulderSimulation simulation({LoadSkinned(SkinnedXml(GetParam())), "shoulder.xml"},
+                                {BuiltInRhythm(), GetParam().assembly});
   const ModelSkin skin(simulation.model(), "shoulder.xml");
   simulation.Start(LivelyCommand(0));
   std::vector<Vector3> before_m = skin.VerticesInWorld_m(simulation.data());

@@ -149,10 +149,9 @@ TEST_P(FoundShoulders, GiveTheControlSignalOfTheSameModelWithServos) {
   for (int actuator = 0; actuator < model->nactuator; ++actuator) {
     expected.emplace_back(model->names + model->name_actuatoradr[actuator]);
   }
-  ShoulderSimulation simulation(GetParam().Load(Sides::kBoth), "model.xml");
+  ShoulderSimulation simulation({GetParam().Load(Sides::kBoth), "model.xml"},
+                                {BuiltInRhythm(), GetParam().assembly});
   EXPECT_EQ(simulation.TargetNames(), expected);
-  const AssembledRhythm rhythm(BuiltInRhythm(), GetParam().assembly);
-  simulation.Follow(rhythm);
   const ArmCommand command{1.2, 0.6, 0.2};
   simulation.ObserveAtTargets(command);
   const DataPointer data = MakeData(*model);
@@ -169,9 +168,8 @@ TEST_P(FoundShoulders, GiveTheControlSignalOfTheSameModelWithServos) {
 }
 
 TEST_P(FoundShoulders, StartAndStayWhereTheCommandLeads) {
-  ShoulderSimulation simulation(GetParam().Load(Sides::kBoth), "model.xml");
   const AssembledRhythm rhythm(BuiltInRhythm(), GetParam().assembly);
-  simulation.Follow(rhythm);
+  ShoulderSimulation simulation({GetParam().Load(Sides::kBoth), "model.xml"}, rhythm);
   const ArmCommand command{1.2, 0.6, 0.2};
   const ShoulderPose pose = rhythm.SolvePose(command);
   for (const Side side : {Side::kRight, Side::kLeft}) {
@@ -190,6 +188,29 @@ TEST_P(FoundShoulders, StartAndStayWhereTheCommandLeads) {
               1e-9);
     EXPECT_FALSE(state.clamped);
   }
+}
+
+// Whatever is put in the plugin's configuration, or in the place of position servos' rhythm, moves
+// the joints: no simulation is without one.
+TEST_P(FoundShoulders, FollowTheirOwnRhythmOrTheOneThatServosAreGiven) {
+  const ArmCommand command{0.6, 1.2, 0};
+  const AssembledRhythm own(BuiltInRhythm(), GetParam().assembly);
+  const AssembledRhythm other(BuiltInRhythm(kAsPublished), GetParam().assembly);
+  ASSERT_GT(AngleBetween(own.SolvePose(command).q_TC, other.SolvePose(command).q_TC), 1e-3);
+  const auto angles_of = [&](ShoulderSimulation simulation) {
+    return simulation.ObserveAtTargets(command).position_rad;
+  };
+  const auto expect_near = [](const JointAngles& is_rad, const JointAngles& should_be_rad) {
+    for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+      EXPECT_NEAR(is_rad[k], should_be_rad[k], 1e-12) << k;
+    }
+  };
+  const auto load = [] { return GetParam().Load(Sides::kRight); };
+  expect_near(angles_of({load(), "model.xml"}), own.SolveAngles(command));
+  expect_near(angles_of({{load(), "model.xml"}, other}),
+              (GetParam().has_plugin() ? own : other).SolveAngles(command));
+  EXPECT_EQ(ShoulderSimulation(load(), "model.xml").rhythm().rhythm().options().interpolation,
+            Interpolation::kSmooth);
 }
 
 TEST_P(FoundShoulders, DoNotHaveASideThatTheModelLacks) {

@@ -38,10 +38,8 @@ class ThoraxTest : public EngineTest {
   }
 
   static ResidualReport Report(ModelPointer model, Assembly assembly) {
-    ShoulderSimulation simulation(std::move(model), "m.xml");
-    const AssembledRhythm rhythm(BuiltInRhythm(), assembly);
-    simulation.Follow(rhythm);
-    return MeasureResiduals(simulation, rhythm, BuiltInAnatomy(), [](double) {});
+    ShoulderSimulation simulation({std::move(model), "m.xml"}, {BuiltInRhythm(), assembly});
+    return MeasureResiduals(simulation, simulation.rhythm(), BuiltInAnatomy(), [](double) {});
   }
 
   static std::string FailedLines(const ResidualReport& report) {
