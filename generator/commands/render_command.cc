@@ -41,7 +41,7 @@ double Direction_rad(const std::string& option, const std::string& text) {
 
 RenderRequest Requested(const RenderArguments& arguments) {
   RenderRequest request;
-  request.keyframe = arguments.keyframe;
+  request.pose = AtKeyframe{arguments.keyframe};
   if (!arguments.keyframe.empty() && !(arguments.elevation.empty() && arguments.plane.empty())) {
     throw InputError(
         "which pose? Give either --keyframe, or --elevation and --plane, and leave the other away");
@@ -51,12 +51,13 @@ RenderRequest Requested(const RenderArguments& arguments) {
                      ": of which elevation? Give --elevation DEG as well");
   }
   if (!arguments.elevation.empty()) {
-    request.command = {Direction_rad("--elevation", arguments.elevation),
-                       arguments.plane.empty() ? 0 : Direction_rad("--plane", arguments.plane)};
+    request.pose =
+        ArmCommand{Direction_rad("--elevation", arguments.elevation),
+                   arguments.plane.empty() ? 0 : Direction_rad("--plane", arguments.plane)};
   }
   ChooseWord("--girdle", arguments.girdle, kGirdleMotionNames, request.girdle);
   if (!arguments.side.empty()) {
-    if (!request.command && request.girdle == GirdleMotion::kMeasured) {
+    if (arguments.elevation.empty() && request.girdle == GirdleMotion::kMeasured) {
       throw InputError("--side " + arguments.side +
                        ": a keyframe is one of the whole model. Give --elevation as well, or leave "
                        "--side away");

@@ -72,7 +72,7 @@ MotionRequest Requested(const SimulateArguments& arguments) {
       throw InputError(
           "--plane and --seconds belong to --raise; a --motion says both. Leave them away");
     }
-    request.file = *arguments.motion;
+    request.motion = MotionFile{*arguments.motion};
     return request;
   }
   const std::string& raise = *arguments.raise;
@@ -82,14 +82,16 @@ MotionRequest Requested(const SimulateArguments& arguments) {
     throw InputError("--plane " + *arguments.plane + ": expected degrees within -360 to 360");
   }
   const double plane_rad = RadiansFromDegrees(plane_deg);
-  request.from = {RaiseElevation(arguments, raise.substr(0, colon)), plane_rad, 0};
-  request.to = {RaiseElevation(arguments, raise.substr(std::min(colon + 1, raise.size()))),
-                plane_rad, 0};
-  request.duration_s = NumberArgument("--seconds", arguments.seconds.value_or("2"));
-  if (request.duration_s <= 0 || request.duration_s > kLongestMotion_s) {
+  ReachingRequest reaching;
+  reaching.from = {RaiseElevation(arguments, raise.substr(0, colon)), plane_rad, 0};
+  reaching.to = {RaiseElevation(arguments, raise.substr(std::min(colon + 1, raise.size()))),
+                 plane_rad, 0};
+  reaching.duration_s = NumberArgument("--seconds", arguments.seconds.value_or("2"));
+  if (reaching.duration_s <= 0 || reaching.duration_s > kLongestMotion_s) {
     throw InputError("--seconds " + *arguments.seconds + ": expected more than 0 and at most " +
                      NumberText(kLongestMotion_s));
   }
+  request.motion = reaching;
   return request;
 }
 

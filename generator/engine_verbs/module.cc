@@ -8,6 +8,7 @@
 #include <fstream>
 #include <stdexcept>
 #include <utility>
+#include <variant>
 
 #include "anatomy/built_in_anatomy.h"
 #include "pictures/frame_renderer.h"
@@ -47,11 +48,12 @@ std::string CheckModel(const ModelFiles& files, const std::string& plugin) {
 }
 
 Motion RequestedMotion(const MotionRequest& request) {
-  if (request.file.empty()) {
-    return ReachingMotion("raise", request.from, request.to, request.duration_s);
+  if (const auto* const reaching = std::get_if<ReachingRequest>(&request.motion)) {
+    return ReachingMotion("raise", reaching->from, reaching->to, reaching->duration_s);
   }
-  std::ifstream in = OpenTextFile(request.file);
-  return ReadMotion(in, request.file);
+  const std::string& path = std::get<MotionFile>(request.motion).path;
+  std::ifstream in = OpenTextFile(path);
+  return ReadMotion(in, path);
 }
 
 double LargestError_deg(const ShoulderState& state) {
@@ -241,12 +243,13 @@ int KeyframeOf(const mjModel& model, const std::string& model_name, const std::s
 void Pose(ShoulderSimulation& simulation, const RenderRequest& request, bool& clamped) {
   const AssembledRhythm& rhythm = simulation.rhythm();
   const ShoulderPose rest = rhythm.SolvePose({});
+  const auto* const command = std::get_if<ArmCommand>(&request.pose);
   for (const ShoulderElements& shoulder : simulation.shoulders()) {
     const bool is_meant = !request.side || *request.side == shoulder.side;
-    if (request.command) {
+    if (command != nullptr) {
       ArmCommand used;
-      const ShoulderPose raised = rhythm.SolvePose(*request.command, &used);
-      clamped = clamped || used != *request.command;
+      const ShoulderPose raised = rhythm.SolvePose(*command, &used);
+      clamped = clamped || used != *command;
       simulation.PutAt(shoulder, is_meant ? raised : rest);
     }
     if (is_meant && request.girdle == GirdleMotion::kFrozen) {
@@ -261,9 +264,10 @@ RenderResult Render(const std::string& model_path, const std::string& plugin,
   const EngineWatch watch;
   LoadPlugin(plugin);
   ModelPointer model = LoadModel(model_path);
-  const int key = request.command ? -1 : KeyframeOf(*model, model_path, request.keyframe);
+  const auto* const at = std::get_if<AtKeyframe>(&request.pose);
+  const int key = at == nullptr ? -1 : KeyframeOf(*model, model_path, at->name);
   RenderResult result;
-  if (!request.command && request.girdle == GirdleMotion::kMeasured && !request.side) {
+  if (at != nullptr && request.girdle == GirdleMotion::kMeasured && !request.side) {
     // Any model can be drawn as it is.
     FrameRenderer renderer(*model, model_path, request.view);
     const DataPointer data = MakeData(*model);

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "anatomy/anatomy.h"
@@ -20,12 +21,20 @@
 
 namespace girdle {
 
-/// A motion between two commands, or one from a file.
-struct MotionRequest {
+/// A motion from one command to another, at rest at both ends.
+struct ReachingRequest {
   ArmCommand from;
   ArmCommand to;
   double duration_s = 0;
-  std::string file;  ///< CSV; empty for the motion above
+};
+
+/// A motion in a CSV file.
+struct MotionFile {
+  std::string path;
+};
+
+struct MotionRequest {
+  std::variant<ReachingRequest, MotionFile> motion;
   /// Shoulder of the trace; nothing for the model's first.
   std::optional<Side> side;
 };
@@ -51,12 +60,16 @@ struct SimulationSummary {
   long frames = 0;                ///< of the video
 };
 
+/// A pose that the model has a name for.
+struct AtKeyframe {
+  /// Empty for `rest` or, if the model has none, for where it starts.
+  std::string name;
+};
+
 /// A picture of a model that is put into a pose, without simulating.
 struct RenderRequest {
-  /// Keyframe of the model; empty for `rest` or, if the model has none, for where it starts.
-  std::string keyframe;
-  /// Where the rhythm takes the shoulders, in place of a keyframe.
-  std::optional<ArmCommand> command;
+  /// Where the model is put, or where the rhythm takes the shoulders.
+  std::variant<AtKeyframe, ArmCommand> pose;
   /// The shoulder that the command and `girdle` are for, while another one rests; nothing for all.
   std::optional<Side> side;
   GirdleMotion girdle = GirdleMotion::kMeasured;

@@ -145,6 +145,18 @@ QuaternionOf<Jet<double, Order>> WithAxialOf(const QuaternionOf<Jet<double, Orde
                          angle_rad);
 }
 
+// The options with the range that they stand for.
+RhythmOptions WithRangeSaid(RhythmOptions options) {
+  const Range range_by_default = DefaultRange(options.interpolation, options.closure);
+  options.range = options.range.value_or(range_by_default);
+  if (options.range == Range::kWhole && range_by_default == Range::kClamp) {
+    throw std::invalid_argument(
+        "the range whole needs the interpolation smooth and the closure exact: with others nothing "
+        "is known outside the table. Choose the range clamp");
+  }
+  return options;
+}
+
 }  // namespace
 
 std::optional<Interpolation> InterpolationFromName(std::string_view name) noexcept {
@@ -185,27 +197,24 @@ JointRanges ShoulderRhythm::Unbounded() noexcept {
   return ranges;
 }
 
+ShoulderRhythm::Interpolant ShoulderRhythm::InterpolantOf(const RhythmTable& table,
+                                                          Interpolation interpolation) {
+  if (interpolation == Interpolation::kSmooth) {
+    return SmoothRhythm(table);
+  }
+  return SquadRhythm(table, interpolation == Interpolation::kSquad);
+}
+
 ShoulderRhythm::ShoulderRhythm(RhythmTable table, RhythmOptions options, const JointRanges& ranges)
     : table_(std::move(table)),
-      options_(options),
+      options_(WithRangeSaid(options)),
       ranges_(ranges),
       measured_{table_.elevations_rad().front(), table_.elevations_rad().back(),
                 table_.planes_rad().front(), table_.planes_rad().back()},
-      domain_(measured_) {
-  const Range range_by_default = DefaultRange(options_.interpolation, options_.closure);
-  options_.range = options_.range.value_or(range_by_default);
-  if (options_.range == Range::kWhole && range_by_default == Range::kClamp) {
-    throw std::invalid_argument(
-        "the range whole needs the interpolation smooth and the closure exact: with others nothing "
-        "is known outside the table. Choose the range clamp");
-  }
-  if (options_.interpolation == Interpolation::kSmooth) {
-    smooth_.emplace(table_);
-  } else {
-    squad_.emplace(table_, options_.interpolation == Interpolation::kSquad);
-  }
+      domain_(measured_),
+      interpolant_(InterpolantOf(table_, options_.interpolation)) {
   if (options_.range == Range::kWhole) {
-    smooth_->CheckWholeRange(table_);
+    smooth()->CheckWholeRange(table_);
     domain_ = {0, kPi, std::min(measured_.first_plane_rad, LowestPlaneAt(0).plane_rad),
                std::max(measured_.last_plane_rad, kHighestPlane_rad)};
   }
@@ -325,18 +334,20 @@ ShoulderPose ShoulderRhythm::PoseFor(ArmCommand& used) const noexcept {
   ShoulderPose pose;  // NOLINT(*-member-init): every member is set below
   const bool exact = options_.closure == Closure::kExact;
   double turn_rad = 0;
-  if (smooth_ && exact) {
-    const GirdleOf<double> girdle = smooth_->Girdle<double>(used.elevation_rad, used.plane_rad);
+  const SmoothRhythm* const smooth = this->smooth();
+  if (smooth != nullptr && exact) {
+    const GirdleOf<double> girdle = smooth->Girdle<double>(used.elevation_rad, used.plane_rad);
     pose.q_TC = Plain(Element(girdle.q_TC_CS, 0));
     pose.q_CS = Plain(Element(girdle.q_TC_CS, 1));
     turn_rad = girdle.turn_rad;
-  } else if (smooth_) {
-    const JointsOf<double> joints = smooth_->Joints<double>(used.elevation_rad, used.plane_rad);
+  } else if (smooth != nullptr) {
+    const JointsOf<double> joints = smooth->Joints<double>(used.elevation_rad, used.plane_rad);
     pose = {Plain(Element(joints.q_TC_CS, 0)), Plain(Element(joints.q_TC_CS, 1)),
             Plain(joints.q_SH)};
   } else {
+    const auto* const squad = std::get_if<SquadRhythm>(&interpolant_);
     const JointRotations rotations =
-        squad_->RotationsIn(table_.CellAt(used.elevation_rad, used.plane_rad));
+        squad->RotationsIn(table_.CellAt(used.elevation_rad, used.plane_rad));
     pose = {rotations[0], rotations[1], rotations[2]};
     if (exact) {
       const Quaternion q_TH = pose.q_TH();
@@ -404,7 +415,7 @@ ShoulderRhythm::Jets<Order> ShoulderRhythm::JetsFor(const ArmCommand& command) c
   // Derivatives are by the elevation and plane used; the last step makes them those by the ones
   // given.
   if (options_.closure == Closure::kExact) {
-    const GirdleOf<Scalar> girdle = smooth_->Girdle<Scalar>(place.elevation_rad, place.plane_rad);
+    const GirdleOf<Scalar> girdle = smooth()->Girdle<Scalar>(place.elevation_rad, place.plane_rad);
     jets.q_TC_CS = WithOffsetsOf(girdle.q_TC_CS, used, command, ranges_);
     Scalar theta(place.elevation_rad);
     Scalar psi(place.plane_rad);
@@ -413,7 +424,7 @@ ShoulderRhythm::Jets<Order> ShoulderRhythm::JetsFor(const ArmCommand& command) c
     jets.q_SH = Inverse(Element(jets.q_TC_CS, 0) * Element(jets.q_TC_CS, 1)) *
                 HumerusRotation(theta, psi, girdle.turn_rad);
   } else {
-    const JointsOf<Scalar> joints = smooth_->Joints<Scalar>(place.elevation_rad, place.plane_rad);
+    const JointsOf<Scalar> joints = smooth()->Joints<Scalar>(place.elevation_rad, place.plane_rad);
     jets.q_TC_CS = WithOffsetsOf(joints.q_TC_CS, used, command, ranges_);
     jets.q_SH = joints.q_SH;
   }
@@ -444,13 +455,13 @@ ShoulderRates ShoulderRhythm::PlainRates(double elevation_rad, double plane_rad)
     rates.joints[1] = {Plain(girdle.w_1, 1), Plain(girdle.w_2, 1)};
   };
   if (options_.closure == Closure::kTable) {
-    const JointRates joints = smooth_->RatesOfJoints(elevation_rad, plane_rad);
+    const JointRates joints = smooth()->RatesOfJoints(elevation_rad, plane_rad);
     set_girdle(joints.q_TC_CS);
     rates.pose.q_SH = Plain(joints.q_SH.q);
     rates.joints[2] = {Plain(joints.q_SH.w_1), Plain(joints.q_SH.w_2)};
     return rates;
   }
-  const GirdleRates girdle = smooth_->RatesOfGirdle(elevation_rad, plane_rad);
+  const GirdleRates girdle = smooth()->RatesOfGirdle(elevation_rad, plane_rad);
   set_girdle(girdle.q_TC_CS);
   const Quaternion q_TS = rates.pose.q_TS();
   const Quaternion q_ST = glm::conjugate(q_TS);
@@ -472,7 +483,7 @@ ShoulderRates ShoulderRhythm::PlainRates(double elevation_rad, double plane_rad)
 }
 
 std::optional<ShoulderRates> ShoulderRhythm::SolveRates(const ArmCommand& command) const noexcept {
-  if (!smooth_) {
+  if (smooth() == nullptr) {
     return std::nullopt;
   }
   if (measured_.Holds(command.elevation_rad, command.plane_rad) && command.axial_rad == 0 &&
@@ -517,7 +528,7 @@ std::optional<AngleRates> ShoulderRhythm::SolveAngleRates(
 // number for i = j, so that its vector part vanishes there.
 std::optional<ShoulderDerivatives> ShoulderRhythm::SolveDerivatives(
     const ArmCommand& command) const noexcept {
-  if (!smooth_) {
+  if (smooth() == nullptr) {
     return std::nullopt;
   }
   const Jets<2> jets = JetsFor<2>(command);

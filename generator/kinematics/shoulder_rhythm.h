@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <optional>
 #include <string_view>
+#include <variant>
 
 #include "kinematics/arm_directions.h"
 #include "kinematics/rhythm_table.h"
@@ -200,6 +201,13 @@ class ShoulderRhythm {
     double plane_slope_by_elevation;  ///< along the limit of what an arm can reach
   };
 
+  using Interpolant = std::variant<SmoothRhythm, SquadRhythm>;
+  [[nodiscard]] static Interpolant InterpolantOf(const RhythmTable& table,
+                                                 Interpolation interpolation);
+  /// Null with squad or slerp, which have no derivatives.
+  [[nodiscard]] const SmoothRhythm* smooth() const noexcept {
+    return std::get_if<SmoothRhythm>(&interpolant_);
+  }
   [[nodiscard]] Used UsedFor(double elevation_rad, double plane_rad) const noexcept;
   /// The rates within the table, without offsets or axial turn.
   [[nodiscard]] ShoulderRates PlainRates(double elevation_rad, double plane_rad) const noexcept;
@@ -223,8 +231,7 @@ class ShoulderRhythm {
   JointRanges ranges_;
   ArmRectangle measured_;  ///< the table's domain
   ArmRectangle domain_;
-  std::optional<SmoothRhythm> smooth_;  ///< one of the two
-  std::optional<SquadRhythm> squad_;
+  Interpolant interpolant_;
 };
 
 }  // namespace girdle

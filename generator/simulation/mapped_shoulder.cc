@@ -27,15 +27,22 @@ constexpr std::array<std::pair<Segment, std::string_view>, 3> kTriangleNames = {
     {Segment::kHumerus, "GH, EM and EL"},
 }};
 
+// Number of the site or of the body.
+int IdOf(const mjModel& model, const MappedLandmark& landmark, const std::string& file) {
+  if (const auto* const site = std::get_if<MappedSite>(&landmark.place)) {
+    return FindElement(model, mjOBJ_SITE, site->name, file, landmark.line);
+  }
+  return FindElement(model, mjOBJ_BODY, std::get<MappedBodyPoint>(landmark.place).body, file,
+                     landmark.line);
+}
+
 }  // namespace
 
 MappedShoulder::MappedShoulder(const mjModel& model, const ModelMapping& mapping)
     : mapping_(mapping) {
   for (std::size_t i = 0; i < kLandmarkCount; ++i) {
     const std::optional<MappedLandmark>& landmark = mapping.landmarks[i];
-    landmark_ids_[i] = landmark ? FindElement(model, landmark->is_site ? mjOBJ_SITE : mjOBJ_BODY,
-                                              landmark->name, mapping.file, landmark->line)
-                                : -1;
+    landmark_ids_[i] = landmark ? IdOf(model, *landmark, mapping.file) : -1;
   }
   for (std::size_t i = 0; i < kSegmentCount; ++i) {
     const std::optional<MappedBone>& bone = mapping.bones[i];
@@ -47,14 +54,15 @@ Vector3 MappedShoulder::Position(const mjData& data, Landmark landmark) const {
   const auto index = static_cast<std::size_t>(landmark);
   const MappedLandmark& mapped = *mapping_.landmarks[index];
   const int id = landmark_ids_[index];
-  const mjtNum* p = (mapped.is_site ? data.site_xpos : data.xpos) + 3 * id;
+  const auto* const body_point = std::get_if<MappedBodyPoint>(&mapped.place);
+  const mjtNum* p = (body_point == nullptr ? data.site_xpos : data.xpos) + 3 * id;
   Vector3 position_m{p[0], p[1], p[2]};
-  if (!mapped.is_site) {
+  if (body_point != nullptr) {
     const mjtNum* q = data.xquat + 4 * id;
-    position_m += Quaternion(q[0], q[1], q[2], q[3]) * mapped.point_m;
+    position_m += Quaternion(q[0], q[1], q[2], q[3]) * body_point->point_m;
   }
   // A left shoulder is looked at in a mirror and then is a right one.
-  return mapping_.side == Side::kLeft ? Mirrored(position_m) : position_m;
+  return OnSide(mapping_.side, position_m);
 }
 
 bool MappedShoulder::IsByLandmarks(Segment segment) const {
@@ -80,7 +88,7 @@ Quaternion MappedShoulder::Frame(const mjData& data, Segment segment) const {
   if (const std::optional<MappedBone>& bone = mapping_.bone(segment)) {
     const mjtNum* q = data.xquat + 4 * body_ids_[static_cast<std::size_t>(segment)];
     const Quaternion q_WF = Quaternion(q[0], q[1], q[2], q[3]) * bone->q_BF;
-    return mapping_.side == Side::kLeft ? Mirrored(q_WF) : q_WF;
+    return OnSide(mapping_.side, q_WF);
   }
   if (segment == Segment::kThorax) {
     return ThoraxFrame(Position(data, Landmark::kIJ), Position(data, Landmark::kPX),
@@ -104,10 +112,10 @@ MappedPose MappedShoulder::Observe(const mjData& data) const {
         q_TW * ClavicleAxis(Position(data, Landmark::kSC), Position(data, Landmark::kPAC));
   }
   if (mapping_.landmark(Landmark::kIJ)) {
-    const std::array<Landmark, 2> border = {Landmark::kTS, Landmark::kAI};
-    for (std::size_t i = 0; i < border.size(); ++i) {
-      if (mapping_.landmark(border[i])) {
-        pose.border_T_m[i] = q_TW * (Position(data, border[i]) - Position(data, Landmark::kIJ));
+    for (std::size_t i = 0; i < kGlidingLandmarks.size(); ++i) {
+      const Landmark landmark = kGlidingLandmarks[i];
+      if (mapping_.landmark(landmark)) {
+        pose.border_T_m[i] = q_TW * (Position(data, landmark) - Position(data, Landmark::kIJ));
       }
     }
   }

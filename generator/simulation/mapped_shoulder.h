@@ -25,7 +25,7 @@ struct MappedPose {
   /// Unit vector along the clavicle, to the side; nothing if the clavicle is not mapped.
   std::optional<Vector3> clavicle_axis_T;
   /// TS and AI from IJ [m]; nothing where one of the two landmarks is not mapped.
-  std::array<std::optional<Vector3>, 2> border_T_m;
+  std::array<std::optional<Vector3>, kGlidingLandmarks.size()> border_T_m;
   /// Distances of the landmarks of one frame from each other [m], always in the same order.
   std::vector<double> bone_lengths_m;
 };

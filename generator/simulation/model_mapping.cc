@@ -115,10 +115,10 @@ class MappingReader {
     if (landmark) {
       FailTwice();
     }
-    const bool is_site = ExpectBy({"body", "site"}) == 1;
-    landmark = {is_site, std::string(csv_.Field(name_)), {0, 0, 0}, csv_.line_number()};
-    if (is_site) {
+    const std::string name(csv_.Field(name_));
+    if (ExpectBy({"body", "site"}) == 1) {
       ExpectOnly({});
+      landmark = {MappedSite{name}, csv_.line_number()};
       return;
     }
     ExpectOnly({kPointColumns});
@@ -127,7 +127,7 @@ class MappingReader {
     if (glm::length(point_m) > kFarthestPoint_m) {
       csv_.Fail("a point more than 1 m from its body. Give meters, not millimeters");
     }
-    landmark->point_m = point_m;
+    landmark = {MappedBodyPoint{name, point_m}, csv_.line_number()};
   }
 
   void ReadBone(std::size_t index) {
@@ -184,8 +184,7 @@ class MappingReader {
       const std::string bone(kSegmentNames[static_cast<std::size_t>(segment)]);
       for (const Landmark landmark : FrameLandmarks(segment)) {
         if (!mapping_.landmark(landmark)) {
-          FailFile("no row for " +
-                   std::string(kLandmarks[static_cast<std::size_t>(landmark)].name) +
+          FailFile("no row for " + std::string(DefinitionOf(landmark).name) +
                    ", which the frame of the " + bone + " needs. Add it, or a row " + bone +
                    ",body,NAME with y_deg, x_deg and z_deg");
         }

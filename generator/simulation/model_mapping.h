@@ -30,6 +30,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "anatomy/anatomy.h"
@@ -38,12 +39,21 @@
 
 namespace girdle {
 
+/// A site of a model.
+struct MappedSite {
+  std::string name;
+};
+
+/// A point of one of a model's bodies.
+struct MappedBodyPoint {
+  std::string body;
+  Vector3 point_m{0, 0, 0};  ///< in the body's frame
+};
+
 /// Where a landmark is in a model.
 struct MappedLandmark {
-  bool is_site = false;      ///< else a point of a body
-  std::string name;          ///< of the site or the body
-  Vector3 point_m{0, 0, 0};  ///< in the body's frame
-  std::size_t line = 0;      ///< of the file, from 1
+  std::variant<MappedSite, MappedBodyPoint> place;
+  std::size_t line = 0;  ///< of the file, from 1
 };
 
 /// A bone whose frame F is fixed in a body B.
