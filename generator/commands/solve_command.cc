@@ -26,6 +26,7 @@
 #include "commands/output_file.h"
 #include "commands/rhythm_arguments.h"
 #include "commands/shoulder_points.h"
+#include "commands/solve_columns.h"
 #include "commands/solve_rows.h"
 #include "names/model_names.h"
 #include "text/input_error.h"
@@ -61,9 +62,9 @@ constexpr const char* kLandmarksKey = "landmarks_mm";
 
 // A million positions; more belong into a file.
 constexpr std::uint64_t kMostSwept = 1'000'000;
-constexpr SweptAngle kSweptElevation = {"--elevation", "0:180:5", -kFullCircle_deg,
+constexpr SweptAngle kSweptElevation = {"--elevation", kWholeElevations, -kFullCircle_deg,
                                         kFullCircle_deg};
-constexpr SweptAngle kSweptPlane = {"--plane", "-60:135:5", -kFullCircle_deg, kFullCircle_deg};
+constexpr SweptAngle kSweptPlane = {"--plane", kWholePlanes, -kFullCircle_deg, kFullCircle_deg};
 
 // One position of the arm as typed.
 struct TypedPose {
@@ -165,19 +166,13 @@ nlohmann::ordered_json PointsAsJson(const Anatomy& anatomy, const ShoulderPose& 
   return json;
 }
 
-// What one pose is answered with beside its angles.
-struct Additions {
-  bool rates = false;
-  std::optional<Anatomy> points_of;
-};
-
-Additions ChosenAdditions(const SolveArguments& arguments) {
+SolveAdditions ChosenAdditions(const SolveArguments& arguments) {
   if (!arguments.landmarks && IsAnatomyChosen(arguments.anatomy)) {
     throw InputError(
         "whose shoulder it is changes no angle, only where landmarks are. Add --landmarks, or "
         "leave --anatomy, --thorax and the measures away");
   }
-  Additions additions;
+  SolveAdditions additions;
   additions.rates = arguments.rates;
   if (arguments.landmarks) {
     additions.points_of = ChosenAnatomy(arguments.anatomy);
@@ -186,7 +181,7 @@ Additions ChosenAdditions(const SolveArguments& arguments) {
 }
 
 std::string PoseAsJson(const ShoulderRhythm& rhythm, const TypedPose& typed,
-                       const ShoulderSolution& solution, const Additions& additions) {
+                       const ShoulderSolution& solution, const SolveAdditions& additions) {
   const CellEdges edges = EdgesOf(rhythm.table(), solution.cell);
   nlohmann::ordered_json json;
   json[kElevationColumn] = typed.elevation_deg;
@@ -203,14 +198,14 @@ std::string PoseAsJson(const ShoulderRhythm& rhythm, const TypedPose& typed,
                   {"plane_from_deg", edges.plane_from_deg},
                   {"plane_to_deg", edges.plane_to_deg},
                   {"plane_weight", solution.cell.plane_weight}};
-  json[kClampedColumn] = solution.clamped;
+  json[std::string(kClampedStem)] = solution.clamped;
   json["used"] = {{kElevationColumn, DegreesFromRadians(solution.used.elevation_rad)},
                   {kPlaneColumn, DegreesFromRadians(solution.used.plane_rad)},
                   {kAxialColumn, DegreesFromRadians(solution.used.axial_rad)},
                   {kShrugColumn, DegreesFromRadians(solution.used.shrug_rad)},
                   {kProtractionColumn, DegreesFromRadians(solution.used.protraction_rad)}};
-  json[kDistanceColumn] = DegreesFromRadians(solution.distance_rad);
-  json[kOriginColumn] = Name(solution.origin);
+  json[ColumnName(kDistanceStem, kDegrees)] = DegreesFromRadians(solution.distance_rad);
+  json[std::string(kOriginStem)] = Name(solution.origin);
   const JointAngles angles_rad = AnglesFromPose(solution.pose);
   for (std::size_t k = 0; k < kCoordinateCount; ++k) {
     json["angles_deg"][std::string(kCoordinateNames[k])] = DegreesFromRadians(angles_rad[k]);
@@ -286,7 +281,7 @@ std::string UsedAsText(const ArmCommand& given, const ArmCommand& used) {
 }
 
 std::string PoseAsText(const ShoulderRhythm& rhythm, const TypedPose& typed,
-                       const ShoulderSolution& solution, const Additions& additions) {
+                       const ShoulderSolution& solution, const SolveAdditions& additions) {
   const CellEdges edges = EdgesOf(rhythm.table(), solution.cell);
   const auto range = [](double from_deg, double to_deg, double weight) {
     return RoundedText(from_deg, kDecimals) + " to " + RoundedText(to_deg, kDecimals) +
@@ -323,7 +318,7 @@ void SolveOne(const SolveArguments& arguments) {
                            ProtractionArgument(arguments).value_or(0)};
   const ShoulderRhythm rhythm = ChosenRhythm(arguments.rhythm);
   const ShoulderSolution solution = rhythm.Solve(typed.command());
-  const Additions additions = ChosenAdditions(arguments);
+  const SolveAdditions additions = ChosenAdditions(arguments);
   OutputFile out(arguments.out);
   out.Write(arguments.json ? PoseAsJson(rhythm, typed, solution, additions)
                            : PoseAsText(rhythm, typed, solution, additions));
@@ -341,7 +336,7 @@ void SolvePosture(const SolveArguments& arguments) {
     throw InputError("--pose says all of the arm. Leave the other options of the arm away");
   }
   const ShoulderPose pose = HangingIn(RelaxedStanding(), ChosenRhythm(arguments.rhythm));
-  const Additions additions = ChosenAdditions(arguments);
+  const SolveAdditions additions = ChosenAdditions(arguments);
   const JointAngles angles_rad = AnglesFromPose(pose);
   std::string text = "posture         " + *arguments.posture + "\n\n" + AnglesAsText(angles_rad);
   if (additions.points_of) {
@@ -381,9 +376,7 @@ void SolveFile(const RowSource& source, const SolveArguments& arguments) {
   options.threads = ChosenThreads(arguments.threads);
   options.shrug_deg = ShrugArgument(arguments);
   options.protraction_deg = ProtractionArgument(arguments);
-  const Additions additions = ChosenAdditions(arguments);
-  options.has_rates = additions.rates;
-  options.points_of = additions.points_of;
+  options.additions = ChosenAdditions(arguments);
   if (arguments.axial_deg) {
     options.axial_deg = NumberArgument("--axial", *arguments.axial_deg);
   }

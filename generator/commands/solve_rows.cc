@@ -17,10 +17,8 @@
 
 #include "commands/output_file.h"
 #include "commands/progress.h"
-#include "commands/shoulder_points.h"
 #include "names/model_names.h"
 #include "text/csv.h"
-#include "text/number_text.h"
 
 namespace girdle {
 namespace {
@@ -46,105 +44,13 @@ constexpr std::array<CommandColumn, 5> kCommandColumns = {{
      &RowOptions::protraction_deg, kProtractionRange},
 }};
 
-// What is known of a row.
-struct Answer {
-  const ShoulderRhythm& rhythm;
-  const ArmCommand& command;
-  const ShoulderSolution& solution;
-  const RowOptions& options;
-};
-
-// Columns of the output that are written together, each with a comma before it. Further ones are a
-// function and a line in AllAnswerColumns.
-struct AnswerColumns {
-  std::vector<std::string> names;
-  void (*append)(std::string& text, const Answer& answer);
-};
-
-void AppendAngles(std::string& text, const Answer& answer) {
-  for (const double angle_rad : AnglesFromPose(answer.solution.pose)) {
-    text += ',';
-    AppendRounded(text, DegreesFromRadians(angle_rad));
-  }
-}
-
-void AppendProvenance(std::string& text, const Answer& answer) {
-  text += answer.solution.clamped ? ",1," : ",0,";
-  AppendRounded(text, DegreesFromRadians(answer.solution.distance_rad));
-  text += ',';
-  text += Name(answer.solution.origin);
-}
-
-void AppendRates(std::string& text, const Answer& answer) {
-  const std::optional<ShoulderRates> rates = answer.rhythm.SolveRates(answer.command);
-  for (std::size_t joint = 0; rates && joint < kJointCount; ++joint) {
-    const AngularRate& rate = rates->joints[joint];
-    for (const Vector3& w : {rate.by_elevation, rate.by_plane}) {
-      for (int axis = 0; axis < 3; ++axis) {
-        text += ',';
-        AppendRounded(text, w[axis]);
-      }
-    }
-  }
-}
-
-std::vector<std::string> RateNames() {
-  std::vector<std::string> names;
-  for (const char* joint : {"sc", "ac", "gh"}) {
-    for (const char* by : {"_w_elevation", "_w_plane"}) {
-      for (const char* axis : {"_x", "_y", "_z"}) {
-        names.push_back(std::string(joint) + by + axis);
-      }
-    }
-  }
-  return names;
-}
-
-void AppendPoints(std::string& text, const Answer& answer) {
-  for (const ShoulderPoint& point :
-       ShoulderPoints(*answer.options.points_of, answer.solution.pose)) {
-    for (int axis = 0; axis < 3; ++axis) {
-      text += ',';
-      AppendRounded(text, point.p_mm[axis]);
-    }
-  }
-}
-
-std::vector<std::string> PointNames(const Anatomy& anatomy) {
-  std::vector<std::string> names;
-  for (const ShoulderPoint& point : ShoulderPoints(anatomy, {})) {
-    for (const char* axis : {"_x_mm", "_y_mm", "_z_mm"}) {
-      names.push_back(point.name + axis);
-    }
-  }
-  return names;
-}
-
-// In the order of the output.
-std::vector<AnswerColumns> AllAnswerColumns(const RowOptions& options) {
-  std::vector<std::string> angles;
-  angles.reserve(kCoordinateCount);
-  for (const std::string_view coordinate : kCoordinateNames) {
-    angles.push_back(std::string(coordinate) + "_deg");
-  }
-  std::vector<AnswerColumns> columns = {
-      {angles, AppendAngles}, {{kClampedColumn, kDistanceColumn, kOriginColumn}, AppendProvenance}};
-  if (options.has_rates) {
-    columns.push_back({RateNames(), AppendRates});
-  }
-  if (options.points_of) {
-    columns.push_back({PointNames(*options.points_of), AppendPoints});
-  }
-  return columns;
-}
-
 // What is read from a row and what is written behind it. Immutable: threads share it.
 class RowColumns {
  public:
   // Throws InputError at the header if a column is missing, stands there beside the option that
   // replaces it, or would stand twice in the output. The options have to outlive it.
   RowColumns(const CsvReader& csv, const RowOptions& options)
-      : options_(options), answers_(AllAnswerColumns(options)) {
+      : additions_(options.additions), answers_(SolveColumns(options.additions)) {
     for (const CommandColumn& column : kCommandColumns) {
       const std::optional<double> option_deg =
           column.option == nullptr ? std::nullopt : options.*column.option_deg;
@@ -160,25 +66,15 @@ class RowColumns {
         unless_given_.*column.angle_rad = RadiansFromDegrees(*option_deg);
       }
     }
-    for (const AnswerColumns& columns : answers_) {
-      for (const std::string& name : columns.names) {
-        if (csv.HasColumn(name)) {
-          csv.Fail("column '" + name + "' would stand twice in the output. Rename it in the input");
-        }
+    for (const std::string& name : answers_.names()) {
+      if (csv.HasColumn(name)) {
+        csv.Fail("column '" + name + "' would stand twice in the output. Rename it in the input");
       }
     }
   }
 
   // The header of the output behind that of the input, with a line end.
-  [[nodiscard]] std::string HeaderText() const {
-    std::string text;
-    for (const AnswerColumns& columns : answers_) {
-      for (const std::string& name : columns.names) {
-        text += "," + name;
-      }
-    }
-    return text + "\n";
-  }
+  [[nodiscard]] std::string HeaderText() const { return "," + answers_.Header() + "\n"; }
 
   // Solves the current row and appends it, with its answer, to `text`.
   void Append(std::string& text, const CsvRows& row, const ShoulderRhythm& rhythm) const {
@@ -187,11 +83,10 @@ class RowColumns {
       command.*column.angle_rad =
           RadiansFromDegrees(row.NumberWithin(column.index, column.lower_deg, column.upper_deg));
     }
-    const ShoulderSolution solution = rhythm.Solve(command);
     text += row.line();
-    for (const AnswerColumns& columns : answers_) {
-      columns.append(text, {rhythm, command, solution, options_});
-    }
+    text += ',';
+    const ShoulderSolution solution = rhythm.Solve(command);
+    answers_.Append(text, SolvedRowOf(rhythm, command, solution, additions_));
     text += '\n';
   }
 
@@ -203,10 +98,10 @@ class RowColumns {
     double upper_deg;
   };
 
-  const RowOptions& options_;
+  const SolveAdditions& additions_;
   std::vector<ReadColumn> commands_;
   ArmCommand unless_given_;  ///< what a row without a column for it asks
-  std::vector<AnswerColumns> answers_;
+  WrittenColumns<SolvedRow, AppendRounded> answers_;
 };
 
 // A number of successive rows on their way from the input to the output.

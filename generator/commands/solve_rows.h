@@ -10,7 +10,7 @@
 #include <optional>
 #include <string>
 
-#include "anatomy/anatomy.h"
+#include "commands/solve_columns.h"
 #include "kinematics/shoulder_rhythm.h"
 
 namespace girdle {
@@ -21,10 +21,6 @@ inline constexpr const char* kPlaneColumn = "plane_deg";
 inline constexpr const char* kAxialColumn = "axial_deg";
 inline constexpr const char* kShrugColumn = "shrug_deg";
 inline constexpr const char* kProtractionColumn = "protraction_deg";
-/// Of the output.
-inline constexpr const char* kClampedColumn = "clamped";
-inline constexpr const char* kDistanceColumn = "distance_deg";
-inline constexpr const char* kOriginColumn = "origin";
 
 /// Where rows come from.
 struct RowSource {
@@ -39,22 +35,14 @@ struct RowOptions {
   std::optional<double> axial_deg;
   std::optional<double> shrug_deg;
   std::optional<double> protraction_deg;
-  bool has_rates = false;  ///< with the derivatives of the joints' rotations
-  /// Whose ShoulderPoints are written too, if anybody's.
-  std::optional<Anatomy> points_of;
+  SolveAdditions additions;
   std::size_t threads = 1;  ///< at least 1
 };
 
-/// Writes every row of `source` with its angles behind it to `out` (`-` is standard output), in
-/// their order and with the same bytes whatever the number of threads. Memory does not grow with
+/// Writes every row of `source` with its SolveColumns behind it to `out` (`-` is standard output),
+/// in their order and with the same bytes whatever the number of threads. Memory does not grow with
 /// the number of rows. Whenever it has to wait for its input, all rows that came are answered, on
 /// standard output too.
-///
-/// With rates three columns a joint for each of elevation and plane, `sc_w_elevation_x` and so on:
-/// the angular velocity of the child in the parent, in the parent's axes [deg per deg]. The
-/// interpolation has to be smooth.
-///
-/// With points three columns for each of them, `elbow_x_mm` and so on, in the thorax frame.
 ///
 /// Throws InputError, with file and line, at the first row that cannot be solved. A file that was
 /// to be written is then as it was before; standard output has whole rows from before that row.

@@ -4,8 +4,11 @@
 #include "simulation/trace.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 
 #include "text/number_text.h"
+#include "text/output_columns.h"
 
 namespace girdle {
 namespace {
@@ -24,6 +27,89 @@ double ReplayableAngle(double angle_rad) noexcept {
   return angle_rad;
 }
 
+using Stems = std::vector<std::string>;
+using TraceColumns = WrittenColumns<ShoulderState, AppendNumber>;
+
+constexpr std::array kMovingBones = {Segment::kClavicle, Segment::kScapula, Segment::kHumerus};
+constexpr std::array<const char*, 4> kQuaternionParts = {"_qw", "_qx", "_qy", "_qz"};
+constexpr std::array<const char*, 3> kAxes = {"_x", "_y", "_z"};
+
+Stems CommandStems(const Assembly& /*assembly*/) {
+  Stems stems(kCommandNames.begin(), kCommandNames.end());
+  stems.insert(stems.end(), kOffsetNames.begin(), kOffsetNames.end());
+  return stems;
+}
+
+Cell CommandAngle(const ShoulderState& state, std::size_t k) {
+  constexpr std::array kAngles = {&ArmCommand::elevation_rad, &ArmCommand::plane_rad,
+                                  &ArmCommand::axial_rad, &ArmCommand::shrug_rad,
+                                  &ArmCommand::protraction_rad};
+  static_assert(kAngles.size() == kCommandCount + kOffsetCount);
+  return DegreesFromRadians(state.command.*kAngles[k]);
+}
+
+Stems AngleStems(const Assembly& assembly) {
+  const auto coordinates = DrivenCoordinates(assembly);
+  return {coordinates.begin(), coordinates.end()};
+}
+
+Stems TargetStems(const Assembly& assembly) {
+  Stems stems = AngleStems(assembly);
+  for (std::string& stem : stems) {
+    stem.insert(0, "target_");
+  }
+  return stems;
+}
+
+Stems RotationStems(const Assembly& /*assembly*/) {
+  Stems stems;
+  for (const Segment bone : kMovingBones) {
+    for (const char* part : kQuaternionParts) {
+      stems.push_back(std::string(kSegmentNames[static_cast<std::size_t>(bone)]) + part);
+    }
+  }
+  return stems;
+}
+
+Cell RotationPart(const ShoulderState& state, std::size_t k) {
+  const Quaternion& q = state.rotation(kMovingBones[k / kQuaternionParts.size()]);
+  return std::array{q.w, q.x, q.y, q.z}[k % kQuaternionParts.size()];
+}
+
+Stems SiteStems(const Assembly& /*assembly*/) {
+  Stems stems;
+  for (std::size_t site = 0; site < kSiteCount; ++site) {
+    for (const char* axis : kAxes) {
+      stems.push_back(std::string(SiteStem(site)) + axis);
+    }
+  }
+  return stems;
+}
+
+// In the order of the trace. Further columns are a line here.
+constexpr std::array<OutputColumns<ShoulderState, Assembly>, 7> kTraceColumns = {{
+    {[](const Assembly&) { return Stems{"time"}; }, kSeconds,
+     [](const ShoulderState& state, std::size_t) -> Cell { return state.time_s; }},
+    {CommandStems, kDegrees, CommandAngle},
+    {[](const Assembly&) { return Stems{"distance"}; }, kDegrees,
+     [](const ShoulderState& state, std::size_t) -> Cell {
+       return DegreesFromRadians(state.distance_rad);
+     }},
+    {TargetStems, kDegrees,
+     [](const ShoulderState& state, std::size_t k) -> Cell {
+       return DegreesFromRadians(state.target_rad[k]);
+     }},
+    {AngleStems, kDegrees,
+     [](const ShoulderState& state, std::size_t k) -> Cell {
+       return DegreesFromRadians(state.position_rad[k]);
+     }},
+    {RotationStems, kNoUnit, RotationPart},
+    {SiteStems, kMeters,
+     [](const ShoulderState& state, std::size_t k) -> Cell {
+       return state.site_m[k / kAxes.size()][static_cast<int>(k % kAxes.size())];
+     }},
+}};
+
 }  // namespace
 
 ArmCommand ReplayableCommand(const ArmCommand& command) noexcept {
@@ -33,71 +119,23 @@ ArmCommand ReplayableCommand(const ArmCommand& command) noexcept {
 }
 
 std::string TraceHeader(Assembly assembly) {
-  std::string text = "time_s";
-  for (const std::string_view command : kCommandNames) {
-    text += "," + std::string(command) + "_deg";
-  }
-  for (const std::string_view offset : kOffsetNames) {
-    text += "," + std::string(offset) + "_deg";
-  }
-  text += ",distance_deg";
-  for (const char* prefix : {",target_", ","}) {
-    for (const std::string_view coordinate : DrivenCoordinates(assembly)) {
-      text += prefix + std::string(coordinate) + "_deg";
-    }
-  }
-  for (const Segment segment : {Segment::kClavicle, Segment::kScapula, Segment::kHumerus}) {
-    for (const char* component : {"_qw", "_qx", "_qy", "_qz"}) {
-      text += "," + std::string(kSegmentNames[static_cast<std::size_t>(segment)]) + component;
-    }
-  }
-  for (std::size_t site = 0; site < kSiteCount; ++site) {
-    for (const char* component : {"_x_m", "_y_m", "_z_m"}) {
-      text += "," + std::string(SiteStem(site)) + component;
-    }
-  }
-  return text + "\n";
+  return TraceColumns(kTraceColumns, assembly).Header() + "\n";
 }
 
 void AppendTraceRow(std::string& text, const ShoulderState& state) {
-  AppendNumber(text, state.time_s);
-  const auto append = [&text](double number) {
-    text += ',';
-    AppendNumber(text, number);
-  };
-  append(DegreesFromRadians(state.command.elevation_rad));
-  append(DegreesFromRadians(state.command.plane_rad));
-  append(DegreesFromRadians(state.command.axial_rad));
-  append(DegreesFromRadians(state.command.shrug_rad));
-  append(DegreesFromRadians(state.command.protraction_rad));
-  append(DegreesFromRadians(state.distance_rad));
-  for (const JointAngles& angles_rad : {state.target_rad, state.position_rad}) {
-    for (const double angle_rad : angles_rad) {
-      append(DegreesFromRadians(angle_rad));
-    }
-  }
-  for (const Segment segment : {Segment::kClavicle, Segment::kScapula, Segment::kHumerus}) {
-    const Quaternion& q = state.rotation(segment);
-    append(q.w);
-    append(q.x);
-    append(q.y);
-    append(q.z);
-  }
-  for (const Vector3& position : state.site_m) {
-    append(position.x);
-    append(position.y);
-    append(position.z);
-  }
+  // Assemblies differ in names alone.
+  static const TraceColumns kColumns(kTraceColumns, Assembly::kTree);
+  kColumns.Append(text, state);
   text += '\n';
 }
 
 std::string ControlsHeader(const std::vector<std::string>& actuators) {
-  std::string text = "time_s";
+  std::string text = ColumnName("time", kSeconds);
   for (const std::string& actuator : actuators) {
     const bool is_slide =
         std::any_of(kTranslationNames.begin(), kTranslationNames.end(),
                     [&actuator](std::string_view name) { return actuator.starts_with(name); });
-    text += "," + actuator + (is_slide ? "_m" : "_rad");
+    text += "," + ColumnName(actuator, is_slide ? kMeters : kRadians);
   }
   return text + "\n";
 }

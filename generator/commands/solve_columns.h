@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+/// The columns that `girdle solve` answers each row of a CSV with: one table of names, units and
+/// how they are computed.
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "anatomy/anatomy.h"
+#include "commands/shoulder_points.h"
+#include "kinematics/shoulder_rhythm.h"
+#include "text/number_text.h"
+#include "text/output_columns.h"
+
+namespace girdle {
+
+/// Stems of columns that have the same names where one pose is answered as JSON.
+inline constexpr std::string_view kClampedStem = "clamped";
+inline constexpr std::string_view kDistanceStem = "distance";
+inline constexpr std::string_view kOriginStem = "origin";
+
+/// What a row is answered with beside its angles and where they come from.
+struct SolveAdditions {
+  /// The derivatives of the joints' rotations; the interpolation has to be smooth.
+  bool rates = false;
+  /// Whose ShoulderPoints, if anybody's.
+  std::optional<Anatomy> points_of = std::nullopt;
+};
+
+/// A row that is solved, with what its columns need. The solution has to outlive it.
+struct SolvedRow {
+  const ShoulderSolution& solution;
+  JointAngles angles_rad;
+  std::optional<ShoulderRates> rates;  ///< where they are asked for
+  std::vector<ShoulderPoint> points;   ///< where they are asked for
+};
+
+/// Returns the row of a command that `rhythm` answered by `solution`.
+[[nodiscard]] SolvedRow SolvedRowOf(const ShoulderRhythm& rhythm, const ArmCommand& command,
+                                    const ShoulderSolution& solution,
+                                    const SolveAdditions& additions);
+
+/// Returns the columns in their order:
+///
+/// Nine angles, `sc_protraction_deg` and so on; `clamped`, `distance_deg`, `origin`.
+///
+/// With rates three columns a joint for each of elevation and plane, `sc_w_elevation_x` and so on:
+/// the angular velocity of the child in the parent, in the parent's axes [deg per deg].
+///
+/// With points three columns for each of them, `elbow_x_mm` and so on, in the thorax frame.
+[[nodiscard]] WrittenColumns<SolvedRow, AppendRounded> SolveColumns(
+    const SolveAdditions& additions);
+
+}  // namespace girdle

@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+/// Columns of CSV files that are written, declared in one table: names, units, and how values are
+/// computed.
+///
+/// Each line of a table declares columns that are alike. Of rows that are `Step`s, the columns
+/// `time_s`, `x_m` and `y_m`:
+///
+///     constexpr std::array<OutputColumns<Step, Options>, 2> kColumns = {{
+///         {TimeStem, kSeconds, [](const Step& step, std::size_t) -> Cell { return step.time_s; }},
+///         {AxisStems, kMeters, [](const Step& step, std::size_t k) -> Cell { return step.p_m[k];
+///         }},
+///     }};
+///
+/// with functions that return {"time"} and {"x", "y"}. WrittenColumns makes the header and the rows
+/// of an output.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace girdle {
+
+inline constexpr std::string_view kNoUnit;
+inline constexpr std::string_view kSeconds = "s";
+inline constexpr std::string_view kDegrees = "deg";
+inline constexpr std::string_view kRadians = "rad";
+inline constexpr std::string_view kMeters = "m";
+inline constexpr std::string_view kMillimeters = "mm";
+
+/// Returns the name of a column: `distance_deg` for the stem `distance` and the unit `deg`, and the
+/// stem alone without a unit.
+[[nodiscard]] std::string ColumnName(std::string_view stem, std::string_view unit);
+
+/// What stands in one column of a row: a number in the column's unit, or a word.
+using Cell = std::variant<double, std::string_view>;
+
+/// Columns that are alike, one beside the other.
+template <typename Row, typename Options>
+struct OutputColumns {
+  /// Returns the stems of their names, as many as there are columns: none for an output without.
+  std::vector<std::string> (*stems)(const Options& options);
+  std::string_view unit;
+  /// Returns what stands in the k-th of them, from 0.
+  Cell (*value)(const Row& row, std::size_t k);
+};
+
+/// The columns of one output, with numbers as `append_number` writes them.
+template <typename Row, void (*append_number)(std::string& text, double number)>
+class WrittenColumns {
+ public:
+  template <typename Options, std::size_t N>
+  WrittenColumns(const std::array<OutputColumns<Row, Options>, N>& table, const Options& options) {
+    for (const OutputColumns<Row, Options>& columns : table) {
+      const std::vector<std::string> stems = columns.stems(options);
+      for (std::size_t k = 0; k < stems.size(); ++k) {
+        names_.push_back(ColumnName(stems[k], columns.unit));
+        values_.push_back({columns.value, k});
+      }
+    }
+  }
+
+  [[nodiscard]] const std::vector<std::string>& names() const noexcept { return names_; }
+
+  /// Returns the names with commas between them.
+  [[nodiscard]] std::string Header() const {
+    std::string text;
+    for (const std::string& name : names_) {
+      text += (text.empty() ? "" : ",") + name;
+    }
+    return text;
+  }
+
+  /// Appends what stands in a row, with commas between.
+  void Append(std::string& text, const Row& row) const {
+    bool is_first = true;
+    for (const Value& value : values_) {
+      if (!is_first) {
+        text += ',';
+      }
+      is_first = false;
+      const Cell cell = value.of(row, value.k);
+      if (const auto* const number = std::get_if<double>(&cell)) {
+        append_number(text, *number);
+      } else {
+        text += *std::get_if<std::string_view>(&cell);
+      }
+    }
+  }
+
+ private:
+  struct Value {
+    Cell (*of)(const Row& row, std::size_t k);
+    std::size_t k;
+  };
+
+  std::vector<std::string> names_;
+  std::vector<Value> values_;
+};
+
+}  // namespace girdle
