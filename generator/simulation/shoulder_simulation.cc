@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "anatomy/posed_bones.h"
+#include "kinematics/worst_case.h"
 #include "rhythm_tables/rhythm_config.h"
 #include "text/input_error.h"
 #include "text/number_text.h"
@@ -415,7 +416,7 @@ double ShoulderSimulation::FastestJoint(mjtJoint type) const {
   double fastest = 0;
   for (int joint = 0; joint < model_->njnt; ++joint) {
     if (model_->jnt_type[joint] == type) {
-      fastest = std::max(fastest, std::abs(data_->qvel[model_->jnt_dofadr[joint]]));
+      fastest = WorseOf(fastest, std::abs(data_->qvel[model_->jnt_dofadr[joint]]));
     }
   }
   return fastest;
@@ -437,7 +438,9 @@ void ShoulderSimulation::AddLigaments(ShoulderState& state) const {
     const int tendon = elements().tendons[i];
     state.ligament_m[i] = data_->ten_length[tendon];
     const double beyond_slack_m = state.ligament_m[i] - model_->tendon_lengthspring[2 * tendon + 1];
-    state.ligament_force_N[i] = model_->tendon_stiffness[tendon] * std::max(0.0, beyond_slack_m);
+    // A length that is not a number is beyond.
+    state.ligament_force_N[i] =
+        model_->tendon_stiffness[tendon] * (beyond_slack_m <= 0 ? 0 : beyond_slack_m);
   }
 }
 
@@ -472,12 +475,11 @@ void ShoulderSimulation::AddThoraxContact(ShoulderState& state) const {
   for (int i = 0; i < data_->ncon; ++i) {
     const mjContact& contact = data_->contact[i];
     if (IsOnThorax(contact)) {
-      state.contact_force_N =
-          std::max(state.contact_force_N, data_->efc_force[contact.efc_address]);
+      state.contact_force_N = WorseOf(state.contact_force_N, data_->efc_force[contact.efc_address]);
       // The sphere that stands for the landmark touches sooner than its centre.
       const int sphere = contact.geom[contact.geom[0] == elements().gliding ? 1 : 0];
-      state.contact_depth_m =
-          std::max(state.contact_depth_m, -contact.dist - model_->geom_size[3 * sphere]);
+      const double depth_m = -contact.dist - model_->geom_size[3 * sphere];
+      state.contact_depth_m = depth_m <= state.contact_depth_m ? state.contact_depth_m : depth_m;
     }
   }
   const std::vector<double> torques = PushingTorques();
