@@ -130,11 +130,10 @@ std::string ReportAsText(const DestepArguments& arguments, const SmoothingOption
                      "\n\n" + AlignedLeft("largest", kQuantityWidth) +
                      AlignedLeft("of", kJointWidth) + AlignedLeft("deg", kValueWidth) + "where\n";
   for (const auto& [joint, quantity, largest] : Reported(changes)) {
-    text +=
-        AlignedLeft(quantity, kQuantityWidth) + AlignedLeft(std::string(joint), kJointWidth) +
-        AlignedLeft(RoundedText(DegreesFromRadians(largest.value_rad), kDecimals), kValueWidth) +
-        "plane " + DegreesText(table.planes_rad()[largest.plane]) + ", elevation " +
-        DegreesText(table.elevations_rad()[largest.elevation]) + "\n";
+    text += AlignedLeft(quantity, kQuantityWidth) + AlignedLeft(std::string(joint), kJointWidth) +
+            AlignedLeft(RoundedText(DegreesFromRadians(largest.value()), kDecimals), kValueWidth) +
+            "plane " + DegreesText(table.planes_rad()[largest.place().plane]) + ", elevation " +
+            DegreesText(table.elevations_rad()[largest.place().elevation]) + "\n";
   }
   return text;
 }
@@ -150,9 +149,9 @@ std::string ReportAsJson(const DestepArguments& arguments, const SmoothingOption
     nlohmann::ordered_json line;
     line["quantity"] = quantity;
     line["joint"] = joint;
-    line["value_deg"] = DegreesFromRadians(largest.value_rad);
-    line["plane_deg"] = DegreesFromRadians(table.planes_rad()[largest.plane]);
-    line["elevation_deg"] = DegreesFromRadians(table.elevations_rad()[largest.elevation]);
+    line["value_deg"] = DegreesFromRadians(largest.value());
+    line["plane_deg"] = DegreesFromRadians(table.planes_rad()[largest.place().plane]);
+    line["elevation_deg"] = DegreesFromRadians(table.elevations_rad()[largest.place().elevation]);
     json["largest"].push_back(line);
   }
   return json.dump(2) + "\n";

@@ -11,6 +11,7 @@
 #include <variant>
 
 #include "anatomy/built_in_anatomy.h"
+#include "kinematics/worst_case.h"
 #include "pictures/frame_renderer.h"
 #include "pictures/gl_context.h"
 #include "pictures/png_file.h"
@@ -59,7 +60,7 @@ Motion RequestedMotion(const MotionRequest& request) {
 double LargestError_deg(const ShoulderState& state) {
   double largest_rad = 0;
   for (std::size_t k = 0; k < kCoordinateCount; ++k) {
-    largest_rad = std::max(largest_rad, std::abs(state.target_rad[k] - state.position_rad[k]));
+    largest_rad = WorseOf(largest_rad, std::abs(state.target_rad[k] - state.position_rad[k]));
   }
   return DegreesFromRadians(largest_rad);
 }
@@ -205,10 +206,10 @@ SimulationSummary Simulate(const std::string& model_path, const std::string& plu
     summary.clamped_rows +=
         state.clamped || simulation.rhythm().rhythm().Solve(state.command).clamped ? 1 : 0;
     summary.worst_distance_deg =
-        std::max(summary.worst_distance_deg, DegreesFromRadians(state.distance_rad));
+        WorseOf(summary.worst_distance_deg, DegreesFromRadians(state.distance_rad));
     summary.duration_s = state.time_s;
     summary.last_error_deg = LargestError_deg(state);
-    summary.worst_error_deg = std::max(summary.worst_error_deg, summary.last_error_deg);
+    summary.worst_error_deg = WorseOf(summary.worst_error_deg, summary.last_error_deg);
     progress(static_cast<double>(step) / static_cast<double>(std::max(steps, 1L)));
   }
   summary.frames = drawn.Finish();

@@ -13,6 +13,7 @@
 
 #include "anatomy/ellipsoid.h"
 #include "anatomy/posed_bones.h"
+#include "kinematics/worst_case.h"
 #include "text/number_text.h"
 
 namespace girdle {
@@ -192,20 +193,18 @@ std::array<GlidingDistance, kGlidingLandmarks.size()> MeasureGliding(const Ellip
   for (std::size_t i = 0; i < distances.size(); ++i) {
     GlidingDistance& distance = distances[i];
     distance.landmark = kGlidingLandmarks[i];
-    double square_sum = 0;
+    WorstCase<ArmCommand> worst;
     ForEachMeasured(
         table, [&](const RhythmPosition& position, std::size_t plane, std::size_t elevation) {
           const double distance_m = DistanceFromEllipsoid(
               ellipsoid,
               LandmarkInThorax_m(anatomy, PoseFromAngles(position.angles_rad), distance.landmark));
-          square_sum += distance_m * distance_m;
-          if (std::abs(distance_m) > std::abs(distance.worst_m)) {
-            distance.worst_m = distance_m;
-            distance.plane_rad = table.planes_rad()[plane];
-            distance.elevation_rad = table.elevations_rad()[elevation];
-          }
+          worst.Add(distance_m, table.elevations_rad()[elevation], table.planes_rad()[plane]);
         });
-    distance.rms_m = std::sqrt(square_sum / static_cast<double>(MeasuredPositionCount(table)));
+    distance.rms_m = worst.rms();
+    distance.worst_m = worst.value();
+    distance.elevation_rad = worst.place().elevation_rad;
+    distance.plane_rad = worst.place().plane_rad;
   }
   return distances;
 }

@@ -216,12 +216,6 @@ std::vector<Quaternion> Rows(const RhythmTable& table, std::size_t joint, std::s
   return rows;
 }
 
-void Raise(LargestOnGrid& largest, double value_rad, std::size_t plane, std::size_t elevation) {
-  if (value_rad > largest.value_rad) {
-    largest = {value_rad, plane, elevation};
-  }
-}
-
 JointBend BendOf(const RhythmTable& table, std::size_t joint) {
   const std::vector<double>& x_rad = table.elevations_rad();
   JointBend bend;
@@ -234,7 +228,7 @@ JointBend BendOf(const RhythmTable& table, std::size_t joint) {
       const auto bend_at = [=](const Vector3& way_before, const Vector3& way_after) {
         return mean_step * (way_after / step_after - way_before / step_before);
       };
-      Raise(bend.rotation, glm::length(bend_at(w[i - 1], w[i])), plane, i);
+      bend.rotation.Add(glm::length(bend_at(w[i - 1], w[i])), plane, i);
 
       // The short way round from angle to angle.
       const auto euler_way = [&](std::size_t from) {
@@ -246,7 +240,7 @@ JointBend BendOf(const RhythmTable& table, std::size_t joint) {
         return way;
       };
       const Vector3 euler = glm::abs(bend_at(euler_way(i - 1), euler_way(i)));
-      Raise(bend.euler, std::max({euler.x, euler.y, euler.z}), plane, i);
+      bend.euler.Add(std::max({euler.x, euler.y, euler.z}), plane, i);
     }
   }
   return bend;
@@ -311,7 +305,7 @@ std::array<JointChange, kJointCount> ChangesBetween(const RhythmTable& before,
       const std::vector<Quaternion> q = Rows(before, joint, plane);
       const std::vector<Quaternion> r = Rows(after, joint, plane);
       for (std::size_t i = 0; i < q.size(); ++i) {
-        Raise(changes[joint].move, AngleBetween(q[i], r[i]), plane, i);
+        changes[joint].move.Add(AngleBetween(q[i], r[i]), plane, i);
       }
     }
     changes[joint].before = BendOf(before, joint);

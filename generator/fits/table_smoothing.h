@@ -34,6 +34,7 @@
 #include <cstddef>
 
 #include "kinematics/rhythm_table.h"
+#include "kinematics/worst_case.h"
 
 namespace girdle {
 
@@ -66,12 +67,13 @@ struct SmoothingOptions {
 /// that turns so far from row to row that the steps do not settle, naming it and its plane.
 [[nodiscard]] RhythmTable Smoothed(const RhythmTable& table, const SmoothingOptions& options = {});
 
-/// The largest of a quantity over a table's positions, and where it is.
-struct LargestOnGrid {
-  double value_rad = 0;
+/// Numbers of a table's position; of a second difference, of the middle one of its three rows.
+struct GridPlace {
   std::size_t plane = 0;
-  std::size_t elevation = 0;  ///< of a second difference, the middle one of its three rows
+  std::size_t elevation = 0;
 };
+/// The largest of an angle [rad] over a table's positions, and where it is.
+using LargestOnGrid = WorstCase<GridPlace>;
 
 /// How far the rows of one joint bend.
 struct JointBend {

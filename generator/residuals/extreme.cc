@@ -3,7 +3,6 @@
 
 #include "residuals/extreme.h"
 
-#include <cmath>
 #include <utility>
 
 #include "text/number_text.h"
@@ -18,28 +17,18 @@ std::string PlaceOf(std::string_view motion, const ArmCommand& command) {
          degrees(command.plane_rad);
 }
 
-void Extreme::Add(double value, std::string_view motion, const ArmCommand& command) {
-  const double magnitude = std::abs(value);
-  square_sum_ += value * value;
-  ++count_;
-  if (count_ == 1 || magnitude > worst_ || (std::isnan(magnitude) && !std::isnan(worst_))) {
-    worst_ = magnitude;
-    motion_ = motion;
-    command_ = command;
-  }
-}
-
 // The text of the place is made only when it is needed.
 Residual Extreme::Worst(std::string group, std::string item, std::string unit,
                         std::optional<double> tolerance) const {
-  return {std::move(group), std::move(item), worst_,
-          std::move(unit),  tolerance,       PlaceOf(motion_, command_)};
+  const ReportPlace& place = worst_case_.place();
+  return {std::move(group), std::move(item), worst(),
+          std::move(unit),  tolerance,       PlaceOf(place.motion, place.command)};
 }
 
 Residual Extreme::RootMeanSquare(std::string group, std::string item, std::string unit,
                                  std::optional<double> tolerance) const {
-  return {std::move(group), std::move(item), std::sqrt(square_sum_ / static_cast<double>(count_)),
-          std::move(unit),  tolerance,       std::to_string(count_) + " values"};
+  return {std::move(group), std::move(item), worst_case_.rms(),
+          std::move(unit),  tolerance,       std::to_string(worst_case_.count()) + " values"};
 }
 
 }  // namespace girdle

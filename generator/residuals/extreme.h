@@ -4,29 +4,39 @@
 /// What a quantity comes to over poses, for lines of the residual report.
 #pragma once
 
-#include <cstddef>
-#include <limits>
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
 
 #include "kinematics/shoulder_rhythm.h"
-#include "residuals/residuals.h"
+#include "kinematics/worst_case.h"
+#include "residuals/residual.h"
 
 namespace girdle {
 
 /// Returns text for a place in the report: `abduction, elevation 31.5, plane 0`.
 [[nodiscard]] std::string PlaceOf(std::string_view motion, const ArmCommand& command);
 
-/// Largest magnitude and root mean square of a quantity over poses.
+/// Where a value of the report is.
+struct ReportPlace {
+  ReportPlace() = default;
+  ReportPlace(std::string_view name, const ArmCommand& at) : motion(name), command(at) {}
+
+  std::string motion;
+  ArmCommand command;
+};
+
+/// Lines that are made of a worst case. Their values have no sign; a case of nothing is NaN and
+/// does not pass.
 class Extreme {
  public:
-  /// A NaN becomes the worst and stays it.
-  void Add(double value, std::string_view motion, const ArmCommand& command);
+  void Add(double value, std::string_view motion, const ArmCommand& command) {
+    worst_case_.Add(value, motion, command);
+  }
 
-  [[nodiscard]] bool empty() const noexcept { return count_ == 0; }
-  /// Not a number of what was never added.
-  [[nodiscard]] double worst() const noexcept { return worst_; }
+  [[nodiscard]] bool empty() const noexcept { return worst_case_.empty(); }
+  [[nodiscard]] double worst() const noexcept { return worst_case_.magnitude(); }
 
   [[nodiscard]] Residual Worst(std::string group, std::string item, std::string unit,
                                std::optional<double> tolerance) const;
@@ -34,12 +44,10 @@ class Extreme {
                                         std::optional<double> tolerance) const;
 
  private:
-  // What was never measured does not pass.
-  double worst_ = std::numeric_limits<double>::quiet_NaN();
-  double square_sum_ = 0;
-  std::size_t count_ = 0;
-  std::string motion_;
-  ArmCommand command_;
+  WorstCase<ReportPlace> worst_case_;
 };
+
+/// One extreme for each joint: SC, AC, GH.
+using JointExtremes = std::array<Extreme, kJointCount>;
 
 }  // namespace girdle

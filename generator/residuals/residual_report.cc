@@ -29,9 +29,10 @@ std::string ReportAsText(const ResidualReport& report) {
   for (const Residual& residual : report.residuals) {
     rows.push_back({residual.group, residual.item, SignificantText(residual.value, kReportedDigits),
                     ToleranceText(residual), residual.unit,
-                    !residual.tolerance ? "stated"
-                    : residual.passed() ? "pass"
-                                        : "FAIL",
+                    residual.follows      ? "follows"
+                    : !residual.tolerance ? "stated"
+                    : residual.passed()   ? "pass"
+                                          : "FAIL",
                     residual.where});
   }
   std::string text = "model   " + report.model + "\nkind    " + report.kind + "\nrhythm  " +
@@ -71,6 +72,7 @@ std::string ReportAsJson(const ResidualReport& report) {
     line["unit"] = residual.unit;
     line["tolerance"] = residual.tolerance ? nlohmann::ordered_json(*residual.tolerance) : nullptr;
     line["bound"] = kBoundNames[static_cast<std::size_t>(residual.bound)];
+    line["follows"] = residual.follows;
     line["passed"] = residual.passed();
     line["where"] = residual.where;
     json["residuals"].push_back(line);

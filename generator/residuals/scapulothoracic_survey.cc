@@ -12,6 +12,7 @@
 
 #include "anatomy/ellipsoid.h"
 #include "kinematics/lengths.h"
+#include "kinematics/worst_case.h"
 #include "residuals/residual_report.h"
 #include "text/input_error.h"
 #include "text/number_text.h"
@@ -123,45 +124,28 @@ bool IsFar(const ArmCommand& used, const ArmAngles& reached) {
          std::abs(std::remainder(used.plane_rad - reached.plane_rad, 2 * kPi)) > kSameDirection_rad;
 }
 
-std::string PlaceOf(const SurveyedPosition& position) {
-  return "elevation " + RoundedText(DegreesFromRadians(position.asked_elevation_rad), 1) +
-         ", plane " + RoundedText(DegreesFromRadians(position.asked_plane_rad), 1);
+ArmCommand AskedOf(const SurveyedPosition& position) {
+  return {position.asked_elevation_rad, position.asked_plane_rad};
 }
 
-// Root mean square and the value of largest magnitude, with its sign.
-class Spread {
- public:
-  void Add(double value, const SurveyedPosition& position) {
-    square_sum_ += value * value;
-    // A NaN becomes the largest and stays it.
-    if (count_ == 0 || std::abs(value) > std::abs(largest_) ||
-        (std::isnan(value) && !std::isnan(largest_))) {
-      largest_ = value;
-      where_ = PlaceOf(position);
-    }
-    ++count_;
-  }
-  [[nodiscard]] bool empty() const { return count_ == 0; }
-  [[nodiscard]] double Rms() const { return std::sqrt(square_sum_ / static_cast<double>(count_)); }
-  [[nodiscard]] double largest() const { return largest_; }
-  [[nodiscard]] const std::string& where() const { return where_; }
+std::string PlaceText(const ArmCommand& asked) {
+  return "elevation " + RoundedText(DegreesFromRadians(asked.elevation_rad), 1) + ", plane " +
+         RoundedText(DegreesFromRadians(asked.plane_rad), 1);
+}
 
-  void AppendTo(std::vector<Residual>& lines, const std::string& group, const std::string& item,
-                const std::string& unit) const {
-    if (empty()) {
-      return;
-    }
-    lines.push_back(
-        {group, item + ", rms", Rms(), unit, std::nullopt, std::to_string(count_) + " values"});
-    lines.push_back({group, item + ", largest", largest_, unit, std::nullopt, where_});
-  }
+// Over positions, at what was asked for.
+using Spread = WorstCase<ArmCommand>;
 
- private:
-  double square_sum_ = 0;
-  double largest_ = 0;
-  std::size_t count_ = 0;
-  std::string where_;
-};
+void AppendTo(std::vector<Residual>& lines, const Spread& spread, const std::string& group,
+              const std::string& item, const std::string& unit) {
+  if (spread.empty()) {
+    return;
+  }
+  lines.push_back({group, item + ", rms", spread.rms(), unit, std::nullopt,
+                   std::to_string(spread.count()) + " values"});
+  lines.push_back(
+      {group, item + ", largest", spread.value(), unit, std::nullopt, PlaceText(spread.place())});
+}
 
 struct GroupSpreads {
   std::array<Spread, kGirdleFigureCount> figures;
@@ -169,9 +153,9 @@ struct GroupSpreads {
 
   void AppendTo(std::vector<Residual>& lines, const std::string& group) const {
     for (std::size_t i = 0; i < kGirdleFigureCount; ++i) {
-      figures[i].AppendTo(lines, group, std::string(kGirdleFigureNames[i]), "deg");
+      girdle::AppendTo(lines, figures[i], group, std::string(kGirdleFigureNames[i]), "deg");
     }
-    border.AppendTo(lines, group, "TS, AI to ellipsoid", "mm");
+    girdle::AppendTo(lines, border, group, "TS, AI to ellipsoid", "mm");
   }
 };
 
@@ -209,8 +193,8 @@ class Surveyor {
                              ", which the measured rhythm does not reach";
       return position;
     }
-    coupling_.Add(move.coupling, position);
-    speed_.Add(move.speed_rad_per_s, position);
+    coupling_.Add(move.coupling, AskedOf(position));
+    speed_.Add(move.speed_rad_per_s, AskedOf(position));
     AddBoneLengths(position);
     position.is_in_table = measured.distance_rad <= kNearTable_rad;
     position.measured_q_TS = measured.pose.q_TS();
@@ -229,17 +213,17 @@ class Surveyor {
   // What the model itself must keep.
   void AppendChecks(std::vector<Residual>& lines) const {
     if (arm_.moves_by_actuators()) {
-      lines.push_back({"model", "speed at rest", speed_.largest(), "rad/s", kRestSpeed_rad_per_s,
-                       speed_.where()});
-      lines.push_back({"model", "equality constraints", coupling_.largest(), "m, rad", std::nullopt,
-                       coupling_.where()});
+      lines.push_back({"model", "speed at rest", speed_.value(), "rad/s", kRestSpeed_rad_per_s,
+                       PlaceText(speed_.place())});
+      lines.push_back({"model", "equality constraints", coupling_.value(), "m, rad", std::nullopt,
+                       PlaceText(coupling_.place())});
     } else {
-      lines.push_back({"model", "equality constraints", coupling_.largest(), "m, rad",
-                       kCouplingTolerance, coupling_.where()});
+      lines.push_back({"model", "equality constraints", coupling_.value(), "m, rad",
+                       kCouplingTolerance, PlaceText(coupling_.place())});
     }
     if (!rigid_.empty()) {
-      lines.push_back({"bones", "distances of a bone's landmarks", std::abs(rigid_.largest()), "mm",
-                       kRigid_mm, rigid_.where()});
+      lines.push_back({"bones", "distances of a bone's landmarks", rigid_.magnitude(), "mm",
+                       kRigid_mm, PlaceText(rigid_.place())});
     }
   }
 
@@ -250,7 +234,7 @@ class Surveyor {
       bone_lengths_m_ = lengths_m;
     }
     for (std::size_t i = 0; i < lengths_m.size(); ++i) {
-      rigid_.Add(kMillimetersPerMeter * (lengths_m[i] - bone_lengths_m_[i]), position);
+      rigid_.Add(kMillimetersPerMeter * (lengths_m[i] - bone_lengths_m_[i]), AskedOf(position));
     }
   }
 
@@ -344,9 +328,9 @@ std::string SentenceOf(const std::vector<SurveyedPosition>& positions, double lo
       break;
     }
   }
-  return text + "; within the measured table its orientation is " + RoundedText(scapula.Rms(), 1) +
-         " degrees rms from the measured one, at most " + RoundedText(scapula.largest(), 1) + " (" +
-         scapula.where() + "), its upward rotation " + RoundedText(upward.Rms(), 1) +
+  return text + "; within the measured table its orientation is " + RoundedText(scapula.rms(), 1) +
+         " degrees rms from the measured one, at most " + RoundedText(scapula.value(), 1) + " (" +
+         PlaceText(scapula.place()) + "), its upward rotation " + RoundedText(upward.rms(), 1) +
          " degrees rms.";
 }
 
@@ -384,7 +368,7 @@ ScapulothoracicSurvey SurveyGirdle(MappedArm& arm, const MappedShoulder& shoulde
                     [](const SurveyedPosition& position) { return !position.not_reached.empty(); });
   if (static_cast<std::size_t>(missed_count) == asked) {
     throw InputError("the arm reaches none of the " + std::to_string(asked) + " positions; at " +
-                     PlaceOf(*missed) + " " + missed->not_reached +
+                     PlaceText(AskedOf(*missed)) + " " + missed->not_reached +
                      ". Correct the rows of the arm in the mapping");
   }
   const double lowest_deg = LowestElevation_deg(grid);
@@ -402,24 +386,24 @@ ScapulothoracicSurvey SurveyGirdle(MappedArm& arm, const MappedShoulder& shoulde
     GroupSpreads& spreads = position.is_in_table ? in_table : beyond;
     for (std::size_t i = 0; i < kGirdleFigureCount; ++i) {
       if (position.difference_deg[i]) {
-        spreads.figures[i].Add(*position.difference_deg[i], position);
+        spreads.figures[i].Add(*position.difference_deg[i], AskedOf(position));
       }
       if (position.change_difference_deg[i]) {
-        changes.figures[i].Add(*position.change_difference_deg[i], position);
+        changes.figures[i].Add(*position.change_difference_deg[i], AskedOf(position));
       }
     }
     for (const std::optional<double>& border_mm : position.border_mm) {
       if (border_mm) {
-        spreads.border.Add(*border_mm, position);
+        spreads.border.Add(*border_mm, AskedOf(position));
       }
     }
     if (position.is_in_table) {
       elevation.Add(
           DegreesFromRadians(position.reached.elevation_rad - position.asked_elevation_rad),
-          position);
+          AskedOf(position));
       plane.Add(AngleDifference_deg(DegreesFromRadians(position.reached.plane_rad),
                                     DegreesFromRadians(position.asked_plane_rad)),
-                position);
+                AskedOf(position));
     }
   }
 
@@ -428,11 +412,11 @@ ScapulothoracicSurvey SurveyGirdle(MappedArm& arm, const MappedShoulder& shoulde
   surveyor.AppendChecks(lines);
   lines.push_back(
       {"arm", "positions not reached", static_cast<double>(missed_count), "-", std::nullopt,
-       missed_count == 0
-           ? "of " + std::to_string(asked)
-           : "of " + std::to_string(asked) + "; " + PlaceOf(*missed) + ": " + missed->not_reached});
-  elevation.AppendTo(lines, "arm", "elevation reached - asked", "deg");
-  plane.AppendTo(lines, "arm", "plane reached - asked", "deg");
+       missed_count == 0 ? "of " + std::to_string(asked)
+                         : "of " + std::to_string(asked) + "; " + PlaceText(AskedOf(*missed)) +
+                               ": " + missed->not_reached});
+  AppendTo(lines, elevation, "arm", "elevation reached - asked", "deg");
+  AppendTo(lines, plane, "arm", "plane reached - asked", "deg");
   in_table.AppendTo(lines, "scapulothoracic");
   changes.AppendTo(lines, "since elevation " + RoundedText(lowest_deg, 1));
   beyond.AppendTo(lines, "beyond the table");

@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "kinematics/shoulder_rhythm.h"
-#include "residuals/residuals.h"
+#include "residuals/residual.h"
 #include "simulation/mapped_arm.h"
 #include "simulation/mapped_shoulder.h"
 #include "text/sinks.h"

@@ -16,6 +16,7 @@
 #include "anatomy/built_in_anatomy.h"
 #include "anatomy/posed_bones.h"
 #include "kinematics/lengths.h"
+#include "kinematics/worst_case.h"
 #include "rhythm_tables/built_in_tables.h"
 #include "text/input_error.h"
 #include "text/number_text.h"
@@ -79,12 +80,7 @@ double LargestDistance_m(const std::vector<Vector3>& a, const std::vector<Vector
   }
   double largest_m = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
-    const double distance_m = glm::distance(a[i], b[i]);
-    // No number is larger than the lack of one.
-    if (std::isnan(distance_m)) {
-      return distance_m;
-    }
-    largest_m = std::max(largest_m, distance_m);
+    largest_m = WorseOf(largest_m, glm::distance(a[i], b[i]));
   }
   return largest_m;
 }
@@ -94,8 +90,8 @@ void AddTo(Extreme& extreme, const LandmarkLargest& largest, bool all, double fa
            const std::string& with) {
   for (std::size_t k = 0; k < kSkinLandmarkCount; ++k) {
     if (all || std::find(kAcSkin.begin(), kAcSkin.end(), kSkinLandmarkNames[k]) != kAcSkin.end()) {
-      extreme.Add(factor * largest[k].value, std::string(kSkinLandmarkNames[k]) + with,
-                  largest[k].command);
+      extreme.Add(factor * largest[k].value(), std::string(kSkinLandmarkNames[k]) + with,
+                  largest[k].place());
     }
   }
 }
@@ -261,7 +257,7 @@ void SkinMeter::AddSteps(std::vector<Residual>& lines) const {
       rhythm_.rhythm().table(), planes_rad);
   for (std::size_t k = 0; k < kSkinLandmarkCount; ++k) {
     Extreme step;
-    step.Add(kMillimetersPerMeter * own[k].value, "the model's rhythm", own[k].command);
+    step.Add(kMillimetersPerMeter * own[k].value(), "the model's rhythm", own[k].place());
     lines.push_back(step.Worst(kGroup, "step of " + std::string(kSkinLandmarkNames[k]), "mm/deg",
                                std::nullopt));
   }

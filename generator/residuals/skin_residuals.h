@@ -11,7 +11,7 @@
 
 #include "kinematics/assembled_rhythm.h"
 #include "residuals/extreme.h"
-#include "residuals/residuals.h"
+#include "residuals/residual.h"
 #include "simulation/girdle_motion.h"
 #include "simulation/model_skin.h"
 #include "simulation/shoulder_simulation.h"

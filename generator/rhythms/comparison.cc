@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "kinematics/worst_case.h"
+
 namespace girdle {
 namespace {
 
@@ -19,40 +21,12 @@ Vector3 AnglesOf(const Quaternion& q_AB) { return EulerFromQuaternion(EulerSeque
 
 double UpwardRotation(const Quaternion& q_TS) { return -AnglesOf(q_TS).y; }
 
-// Root mean square and largest magnitude of one difference.
-class Extreme {
- public:
-  void Add(double difference_rad, const MapPosition& position) {
-    square_sum_ += difference_rad * difference_rad;
-    ++count_;
-    if (count_ == 1 || std::abs(difference_rad) > std::abs(summary_.largest_rad)) {
-      summary_.largest_rad = difference_rad;
-      summary_.elevation_rad = position.elevation_rad;
-      summary_.plane_rad = position.plane_rad;
-    }
-  }
-
-  [[nodiscard]] std::optional<DifferenceSummary> Summary() const {
-    if (count_ == 0) {
-      return std::nullopt;
-    }
-    DifferenceSummary summary = summary_;
-    summary.rms_rad = std::sqrt(square_sum_ / static_cast<double>(count_));
-    return summary;
-  }
-
- private:
-  DifferenceSummary summary_;
-  double square_sum_ = 0;
-  std::size_t count_ = 0;
-};
-
 class Extremes {
  public:
   void Add(const Differences& differences, const MapPosition& position) {
     for (std::size_t k = 0; k < kDifferenceCount; ++k) {
       if (differences[k]) {
-        extremes_[k].Add(*differences[k], position);
+        extremes_[k].Add(*differences[k], position.elevation_rad, position.plane_rad);
       }
     }
   }
@@ -60,13 +34,16 @@ class Extremes {
   [[nodiscard]] DifferenceSummaries Summaries() const {
     DifferenceSummaries summaries;
     for (std::size_t k = 0; k < kDifferenceCount; ++k) {
-      summaries[k] = extremes_[k].Summary();
+      if (const WorstCase<ArmCommand>& extreme = extremes_[k]; !extreme.empty()) {
+        summaries[k] = {extreme.rms(), extreme.value(), extreme.place().elevation_rad,
+                        extreme.place().plane_rad};
+      }
     }
     return summaries;
   }
 
  private:
-  std::array<Extreme, kDifferenceCount> extremes_;
+  std::array<WorstCase<ArmCommand>, kDifferenceCount> extremes_;
 };
 
 RhythmComparison CompareOne(const PublishedRhythm& rhythm,

@@ -11,6 +11,7 @@
 #include <limits>
 
 #include "kinematics/one_sided_difference.h"
+#include "kinematics/worst_case.h"
 #include "text/number_text.h"
 
 namespace girdle {
@@ -64,32 +65,22 @@ std::array<JumpSummary, kJointCount> JumpsAt(const PoseFunction& pose, Direction
   return jumps;
 }
 
-std::string PlaceText(double elevation_rad, double plane_rad) {
+std::string PlaceText(const ArmCommand& place) {
   constexpr int kDecimals = 1;
-  return "elevation " + RoundedText(DegreesFromRadians(elevation_rad), kDecimals) + ", plane " +
-         RoundedText(DegreesFromRadians(plane_rad), kDecimals);
+  return "elevation " + RoundedText(DegreesFromRadians(place.elevation_rad), kDecimals) +
+         ", plane " + RoundedText(DegreesFromRadians(place.plane_rad), kDecimals);
 }
 
-// The largest of some values and where it is. A NaN becomes the largest and stays it.
-class Largest {
- public:
-  void Add(double value, double elevation_rad, double plane_rad) {
-    if (!(value <= value_) && !std::isnan(value_)) {
-      value_ = value;
-      elevation_rad_ = elevation_rad;
-      plane_rad_ = plane_rad;
-    }
-  }
-  [[nodiscard]] RhythmCheck Check(std::string name, double limit, std::string unit) const {
-    return {std::move(name), value_, limit, std::move(unit),
-            value_ >= 0 ? PlaceText(elevation_rad_, plane_rad_) : "nowhere"};
-  }
+using Largest = WorstCase<ArmCommand>;
 
- private:
-  double value_ = -std::numeric_limits<double>::infinity();
-  double elevation_rad_ = 0;
-  double plane_rad_ = 0;
-};
+// A check of something that was looked at nowhere passes: a rhythm need not have such places.
+RhythmCheck CheckOf(const Largest& largest, std::string name, double limit, std::string unit) {
+  if (largest.empty()) {
+    return {std::move(name), -std::numeric_limits<double>::infinity(), limit, std::move(unit),
+            "nowhere"};
+  }
+  return {std::move(name), largest.value(), limit, std::move(unit), PlaceText(largest.place())};
+}
 
 // Adds the jumps over lines of constant elevation or plane, along the whole of each.
 class JumpMeter {
@@ -109,10 +100,10 @@ class JumpMeter {
   void CrossAt(Direction direction, const ArmCommand& place) {
     const auto jumps = JumpsAt(pose_, direction, place);
     for (std::size_t joint = 0; joint < kJointCount; ++joint) {
-      joints_[joint].first = std::max(joints_[joint].first, jumps[joint].first);
-      joints_[joint].second = std::max(joints_[joint].second, jumps[joint].second);
-      first_.Add(jumps[joint].first, place.elevation_rad, place.plane_rad);
-      second_.Add(jumps[joint].second, place.elevation_rad, place.plane_rad);
+      joints_[joint].first = WorseOf(joints_[joint].first, jumps[joint].first);
+      joints_[joint].second = WorseOf(joints_[joint].second, jumps[joint].second);
+      first_.Add(jumps[joint].first, place);
+      second_.Add(jumps[joint].second, place);
     }
   }
 
@@ -166,9 +157,9 @@ class Checker {
       const JumpMeter meter = InsideJumps(rhythm_.table(), pose_, direction);
       const std::string lines =
           "over " + std::string(kDirectionNames[static_cast<std::size_t>(direction)]) + " knots";
-      checks_.push_back(meter.first().Check("jump of velocity " + lines, kFirst, "deg/deg"));
+      checks_.push_back(CheckOf(meter.first(), "jump of velocity " + lines, kFirst, "deg/deg"));
       checks_.push_back(
-          meter.second().Check("jump of acceleration " + lines, kSecond, "deg/deg^2"));
+          CheckOf(meter.second(), "jump of acceleration " + lines, kSecond, "deg/deg^2"));
     }
   }
 
@@ -190,13 +181,15 @@ class Checker {
                                         rhythm_.domain().last_plane_rad - kRoom_rad));
       }
     }
-    checks_.push_back(over_elevations.first().Check(
-        "jump of velocity where the table ends, over elevations", kFirst, "deg/deg"));
+    checks_.push_back(CheckOf(over_elevations.first(),
+                              "jump of velocity where the table ends, over elevations", kFirst,
+                              "deg/deg"));
     JumpMeter over_planes(pose_);
     over_planes.Cross(Direction::kPlane, {table.planes_rad().front(), table.planes_rad().back()},
                       EvenSteps(kRoom_rad, kPi - kRoom_rad));
-    checks_.push_back(over_planes.first().Check(
-        "jump of velocity where the table ends, over planes", kFirst, "deg/deg"));
+    checks_.push_back(CheckOf(over_planes.first(),
+                              "jump of velocity where the table ends, over planes", kFirst,
+                              "deg/deg"));
   }
 
   // Hanging and straight up the plane has no meaning: bones are where they are for plane 0.
@@ -210,16 +203,18 @@ class Checker {
       const BoneRotations low = BonesOf(pose_({0, plane_rad}));
       const BoneRotations high = BonesOf(pose_({kPi, plane_rad}));
       for (std::size_t bone = 0; bone < kJointCount; ++bone) {
-        hanging.Add(DegreesFromRadians(AngleBetween(low[bone], hanging_bones[bone])), 0, plane_rad);
+        hanging.Add(DegreesFromRadians(AngleBetween(low[bone], hanging_bones[bone])), 0.0,
+                    plane_rad);
       }
       for (std::size_t bone = 0; bone + 1 < kJointCount; ++bone) {
         upright.Add(DegreesFromRadians(AngleBetween(high[bone], upright_bones[bone])), kPi,
                     plane_rad);
       }
     }
-    checks_.push_back(hanging.Check("all bones at elevation 0, plane to plane", kSame_deg, "deg"));
     checks_.push_back(
-        upright.Check("clavicle and scapula at 180, plane to plane", kSame_deg, "deg"));
+        CheckOf(hanging, "all bones at elevation 0, plane to plane", kSame_deg, "deg"));
+    checks_.push_back(
+        CheckOf(upright, "clavicle and scapula at 180, plane to plane", kSame_deg, "deg"));
   }
 
   void AddGrid() {
@@ -232,23 +227,24 @@ class Checker {
     }
     if (rhythm_.options().closure == Closure::kExact) {
       constexpr double kExact_deg = 1e-9;
-      checks_.push_back(elevation_error_.Check("elevation reached - commanded", kExact_deg, "deg"));
-      checks_.push_back(plane_error_.Check("plane reached - commanded", kExact_deg, "deg"));
+      checks_.push_back(
+          CheckOf(elevation_error_, "elevation reached - commanded", kExact_deg, "deg"));
+      checks_.push_back(CheckOf(plane_error_, "plane reached - commanded", kExact_deg, "deg"));
     }
     if (rhythm_.options().interpolation == Interpolation::kSmooth) {
       constexpr double kFastest = 3;
       constexpr double kFastestLow = 4.5;
       checks_.push_back(
-          fastest_.Check("fastest bone per degree of elevation", kFastest, "deg/deg"));
+          CheckOf(fastest_, "fastest bone per degree of elevation", kFastest, "deg/deg"));
       if (is_whole_) {
         checks_.push_back(
-            fastest_low_.Check("the same below elevation 15", kFastestLow, "deg/deg"));
+            CheckOf(fastest_low_, "the same below elevation 15", kFastestLow, "deg/deg"));
       }
       checks_.push_back(
-          fastest_plane_.Check("fastest bone per degree of plane", kFastest, "deg/deg"));
+          CheckOf(fastest_plane_, "fastest bone per degree of plane", kFastest, "deg/deg"));
     }
     constexpr double kOutside_deg = 1e-9;
-    checks_.push_back(outside_.Check("joint out of its range", kOutside_deg, "deg"));
+    checks_.push_back(CheckOf(outside_, "joint out of its range", kOutside_deg, "deg"));
   }
 
   void AddPose(double elevation_rad, double plane_rad) {

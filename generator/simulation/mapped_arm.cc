@@ -6,9 +6,9 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
+#include "kinematics/worst_case.h"
 #include "simulation/named_elements.h"
 #include "text/input_error.h"
 #include "text/number_text.h"
@@ -32,11 +32,6 @@ constexpr double kRestDuration_s = 0.1;
 constexpr double kLongestSettling_s = 10;
 
 std::string Degrees(double angle_rad) { return RoundedText(DegreesFromRadians(angle_rad), 1); }
-
-// What is not a number is larger than any.
-double Magnitude(double value) {
-  return std::isnan(value) ? std::numeric_limits<double>::infinity() : std::abs(value);
-}
 
 }  // namespace
 
@@ -154,7 +149,7 @@ std::string MappedArm::BeyondRange(const std::vector<double>& values) const {
 double MappedArm::Coupling() const {
   double largest = 0;
   for (int row = 0; row < data_->ne; ++row) {
-    largest = std::max(largest, Magnitude(data_->efc_pos[row]));
+    largest = WorseOf(largest, std::abs(data_->efc_pos[row]));
   }
   return largest;
 }
@@ -240,7 +235,7 @@ ArmMove MappedArm::MoveActuators(const std::vector<double>& values) {
     mj_step(&model_, data_.get());
     move.speed_rad_per_s = 0;
     for (int dof = 0; dof < static_cast<int>(model_.nv); ++dof) {
-      move.speed_rad_per_s = std::max(move.speed_rad_per_s, Magnitude(data_->qvel[dof]));
+      move.speed_rad_per_s = WorseOf(move.speed_rad_per_s, std::abs(data_->qvel[dof]));
     }
     if (!(move.speed_rad_per_s < kRestSpeed_rad_per_s)) {
       moved_s = data_->time;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "anatomy/posed_bones.h"
+#include "kinematics/worst_case.h"
 #include "text/input_error.h"
 #include "text/number_text.h"
 
@@ -175,7 +176,7 @@ double ShoulderSimulation::FastestJoint(mjtJoint type) const {
   double fastest = 0;
   for (int joint = 0; joint < model().njnt; ++joint) {
     if (model().jnt_type[joint] == type) {
-      fastest = std::max(fastest, std::abs(data().qvel[model().jnt_dofadr[joint]]));
+      fastest = WorseOf(fastest, std::abs(data().qvel[model().jnt_dofadr[joint]]));
     }
   }
   return fastest;
@@ -197,7 +198,9 @@ void ShoulderSimulation::AddLigaments(ShoulderState& state) const {
     const int tendon = elements().tendons[i];
     state.ligament_m[i] = data().ten_length[tendon];
     const double beyond_slack_m = state.ligament_m[i] - model().tendon_lengthspring[2 * tendon + 1];
-    state.ligament_force_N[i] = model().tendon_stiffness[tendon] * std::max(0.0, beyond_slack_m);
+    // A length that is not a number is beyond.
+    state.ligament_force_N[i] =
+        model().tendon_stiffness[tendon] * (beyond_slack_m <= 0 ? 0 : beyond_slack_m);
   }
 }
 
@@ -232,12 +235,11 @@ void ShoulderSimulation::AddThoraxContact(ShoulderState& state) const {
   for (int i = 0; i < data().ncon; ++i) {
     const mjContact& contact = data().contact[i];
     if (IsOnThorax(contact)) {
-      state.contact_force_N =
-          std::max(state.contact_force_N, data().efc_force[contact.efc_address]);
+      state.contact_force_N = WorseOf(state.contact_force_N, data().efc_force[contact.efc_address]);
       // The sphere that stands for the landmark touches sooner than its centre.
       const int sphere = contact.geom[contact.geom[0] == elements().gliding ? 1 : 0];
-      state.contact_depth_m =
-          std::max(state.contact_depth_m, -contact.dist - model().geom_size[3 * sphere]);
+      const double depth_m = -contact.dist - model().geom_size[3 * sphere];
+      state.contact_depth_m = depth_m <= state.contact_depth_m ? state.contact_depth_m : depth_m;
     }
   }
   const std::vector<double> torques = PushingTorques();

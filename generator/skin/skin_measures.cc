@@ -34,13 +34,6 @@ std::vector<SkinBone> BonesNamed(const std::vector<BoundBone>& bones) {
   return named;
 }
 
-// Values of a landmark over commands; a NaN is the largest and stays it.
-void Enlarge(LargestAt& largest, double value, const ArmCommand& command) {
-  if (!(value <= largest.value) && !std::isnan(largest.value)) {
-    largest = {value, command};
-  }
-}
-
 // Velocities [m/rad] at a command, from the side that `step_rad` points to.
 SkinLandmarkPlaces OneSidedVelocities(const LandmarkSkin& landmarks, const PoseFunction& pose,
                                       Direction direction, const ArmCommand& command,
@@ -85,7 +78,7 @@ double SkinOnBones::MisplacedBones_m(Side side) const {
   for (std::size_t i = 0; i < bones_.size(); ++i) {
     if (bones_[i].segment == Segment::kThorax || bones_[i].side == side) {
       const BoneFrame wanted = FrameInThorax(anatomy_, pose, bones_[i]);
-      largest_m = std::max(largest_m, glm::distance(skin_.bones[i].bind.p_TB_m, wanted.p_TB_m));
+      largest_m = WorseOf(largest_m, glm::distance(skin_.bones[i].bind.p_TB_m, wanted.p_TB_m));
     }
   }
   return largest_m;
@@ -208,7 +201,7 @@ LandmarkLargest LargestSteps_m(const LandmarkSkin& landmarks, const PoseFunction
       const ArmCommand command{elevations_rad[i], plane_rad};
       const SkinLandmarkPlaces now_m = landmarks.In_m(pose(command));
       for (std::size_t k = 0; k < kSkinLandmarkCount; ++k) {
-        Enlarge(largest[k], glm::distance(now_m[k], before_m[k]), command);
+        largest[k].Add(glm::distance(now_m[k], before_m[k]), command);
       }
       before_m = now_m;
     }
@@ -223,7 +216,7 @@ LandmarkLargest LargestJumps_m_per_rad(const LandmarkSkin& landmarks, const Pose
     const auto before = OneSidedVelocities(landmarks, pose, direction, place, -kOneSidedStep_rad);
     const auto behind = OneSidedVelocities(landmarks, pose, direction, place, kOneSidedStep_rad);
     for (std::size_t k = 0; k < kSkinLandmarkCount; ++k) {
-      Enlarge(largest[k], glm::distance(before[k], behind[k]), place);
+      largest[k].Add(glm::distance(before[k], behind[k]), place);
     }
   }
   return largest;

@@ -10,6 +10,7 @@
 #include "kinematics/knot_crossings.h"
 #include "kinematics/pose_function.h"
 #include "kinematics/shoulder_rhythm.h"
+#include "kinematics/worst_case.h"
 #include "skin/bound_skin.h"
 #include "skin/skin_landmarks.h"
 
@@ -83,12 +84,8 @@ struct AreaChange {
                                        const std::vector<Vector3>& vertices_now_m,
                                        const std::vector<std::size_t>& triangles);
 
-/// A landmark's largest value, and the command where it is.
-struct LargestAt {
-  double value = 0;
-  ArmCommand command;
-};
-using LandmarkLargest = std::array<LargestAt, kSkinLandmarkCount>;
+/// Each landmark's largest value, and the command where it is.
+using LandmarkLargest = std::array<WorstCase<ArmCommand>, kSkinLandmarkCount>;
 
 /// Returns how far [m] landmarks move at most while the elevation rises by a degree, in the planes
 /// given, within the table's elevations.

@@ -368,15 +368,15 @@ TEST(ChangesBetween, FindsTheRowThatMovedAndTheRowThatBends) {
   const RhythmTable before = TableOfSeries(EvenElevations(), still);
   const RhythmTable after = TableOfSeries(EvenElevations(), JointSeries{still, still, turned});
   const auto [sc, ac, gh] = ChangesBetween(before, after);
-  EXPECT_EQ(sc.move.value_rad, 0);
-  EXPECT_EQ(ac.after.rotation.value_rad, 0);
-  EXPECT_NEAR(gh.move.value_rad, kTurn_rad, kRounding_rad);
-  EXPECT_EQ(gh.move.elevation, kRow);
-  EXPECT_EQ(gh.before.rotation.value_rad, 0);
-  EXPECT_NEAR(gh.after.rotation.value_rad, 2 * kTurn_rad, kRounding_rad);
-  EXPECT_EQ(gh.after.rotation.elevation, kRow);
-  EXPECT_NEAR(gh.after.euler.value_rad, 2 * kTurn_rad, kRounding_rad);
-  EXPECT_EQ(gh.after.euler.elevation, kRow);
+  EXPECT_EQ(sc.move.value(), 0);
+  EXPECT_EQ(ac.after.rotation.value(), 0);
+  EXPECT_NEAR(gh.move.value(), kTurn_rad, kRounding_rad);
+  EXPECT_EQ(gh.move.place().elevation, kRow);
+  EXPECT_EQ(gh.before.rotation.value(), 0);
+  EXPECT_NEAR(gh.after.rotation.value(), 2 * kTurn_rad, kRounding_rad);
+  EXPECT_EQ(gh.after.rotation.place().elevation, kRow);
+  EXPECT_NEAR(gh.after.euler.value(), 2 * kTurn_rad, kRounding_rad);
+  EXPECT_EQ(gh.after.euler.place().elevation, kRow);
 }
 
 RC_GTEST_PROP(ChangesBetween, SeesNoBendInAConstantRateOverUnevenElevations, ()) {
@@ -386,8 +386,8 @@ RC_GTEST_PROP(ChangesBetween, SeesNoBendInAConstantRateOverUnevenElevations, ())
   for (const double elevation_rad : x) series.push_back(Exp(elevation_rad * axis));
   const RhythmTable table = TableOfSeries(x, series);
   for (const JointChange& change : ChangesBetween(table, table)) {
-    RC_ASSERT(change.move.value_rad < kRounding_rad);
-    RC_ASSERT(change.after.rotation.value_rad < kRounding_rad);
+    RC_ASSERT(change.move.value() < kRounding_rad);
+    RC_ASSERT(change.after.rotation.value() < kRounding_rad);
   }
 }
 
@@ -399,7 +399,7 @@ TEST(ChangesBetween, GoesTheShortWayRoundFromAngleToAngle) {
   }
   const RhythmTable table = TableOfSeries(EvenElevations(), series);
   for (const JointChange& change : ChangesBetween(table, table)) {
-    EXPECT_LT(change.after.euler.value_rad, kRounding_rad);
+    EXPECT_LT(change.after.euler.value(), kRounding_rad);
   }
 }
 

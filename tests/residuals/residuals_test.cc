@@ -70,6 +70,19 @@ TEST(ResidualReport, SaysWhatFailed) {
   EXPECT_NE(text.find("1 residuals outside their tolerances"), std::string::npos) << text;
 }
 
+TEST(ResidualReport, SaysWhichLinesAreNoChecksOfTheirOwn) {
+  ResidualReport report;
+  report.residuals = {{"closure", "of its own", 2, "deg", std::nullopt, "abduction"},
+                      {"closure", "of another", 2, "deg", std::nullopt, "abduction"}};
+  report.residuals[1].follows = true;
+  EXPECT_TRUE(report.passed());
+  const std::string text = ReportAsText(report);
+  EXPECT_NE(text.find("-  deg   stated   abduction"), std::string::npos) << text;
+  EXPECT_NE(text.find("-  deg   follows  abduction"), std::string::npos) << text;
+  const std::string json = ReportAsJson(report);
+  EXPECT_LT(json.find("\"follows\": false"), json.find("\"follows\": true")) << json;
+}
+
 class MeasureResidualsTest : public EngineTest {
  protected:
   // Measures the model of `rhythm` against `reference`.

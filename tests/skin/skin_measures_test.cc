@@ -265,15 +265,15 @@ TEST(LargestJumps, OfAKinkIsTheChangeOfSpeedTimesTheRadius) {
   const LandmarkLargest kinked = LargestJumps_m_per_rad(
       landmarks, [&](const ArmCommand& at) { return Turned(angle_rad(at.elevation_rad)); }, table,
       Direction::kElevation);
-  EXPECT_NEAR(kinked[0].value, kKink * kRadius_m, kDifferences_m_per_rad);
-  EXPECT_NEAR(kinked[0].command.elevation_rad, kink_rad, kExact_m);
+  EXPECT_NEAR(kinked[0].value(), kKink * kRadius_m, kDifferences_m_per_rad);
+  EXPECT_NEAR(kinked[0].place().elevation_rad, kink_rad, kExact_m);
 
   // What does not change with the elevation has no jump over it, and over planes the same kink is
   // at no knot.
   const LandmarkLargest across = LargestJumps_m_per_rad(
       landmarks, [&](const ArmCommand& at) { return Turned(angle_rad(at.elevation_rad)); }, table,
       Direction::kPlane);
-  EXPECT_LT(across[0].value, kDifferences_m_per_rad);
+  EXPECT_LT(across[0].value(), kDifferences_m_per_rad);
 }
 
 TEST(LargestJumps, SeeAKinkOverPlanes) {
@@ -285,7 +285,7 @@ TEST(LargestJumps, SeeAKinkOverPlanes) {
       landmarks,
       [&](const ArmCommand& at) { return Turned(kKink * std::max(0.0, at.plane_rad - kink_rad)); },
       table, Direction::kPlane);
-  EXPECT_NEAR(kinked[0].value, kKink * kRadius_m, kDifferences_m_per_rad);
+  EXPECT_NEAR(kinked[0].value(), kKink * kRadius_m, kDifferences_m_per_rad);
 }
 
 TEST(LargestJumps, OfASmoothMotionAreNone) {
@@ -293,7 +293,7 @@ TEST(LargestJumps, OfASmoothMotionAreNone) {
       OnTheClavicle(),
       [](const ArmCommand& at) { return Turned(std::sin(at.elevation_rad) + at.plane_rad); },
       BuiltInRhythmTable(BuiltInTable::kMeasured), Direction::kElevation);
-  EXPECT_LT(smooth[0].value, kDifferences_m_per_rad);
+  EXPECT_LT(smooth[0].value(), kDifferences_m_per_rad);
 }
 
 TEST(LargestSteps, OfAnEvenTurnAreTheChordOfADegree) {
@@ -303,8 +303,8 @@ TEST(LargestSteps, OfAnEvenTurnAreTheChordOfADegree) {
       // Twice as fast in the second plane.
       [](const ArmCommand& at) { return Turned(at.elevation_rad * (at.plane_rad > 1 ? 2 : 1)); },
       table, {0, 1.5});
-  EXPECT_NEAR(steps[0].value, 2 * kRadius_m * std::sin(kRadiansPerDegree), kExact_m);
-  EXPECT_EQ(steps[0].command.plane_rad, 1.5);
+  EXPECT_NEAR(steps[0].value(), 2 * kRadius_m * std::sin(kRadiansPerDegree), kExact_m);
+  EXPECT_EQ(steps[0].place().plane_rad, 1.5);
 }
 
 TEST(LargestSteps, KeepWhatIsNoNumber) {
@@ -314,7 +314,7 @@ TEST(LargestSteps, KeepWhatIsNoNumber) {
                        return Turned(at.elevation_rad < 1 ? std::nan("") : at.elevation_rad);
                      },
                      BuiltInRhythmTable(BuiltInTable::kMeasured), {0});
-  EXPECT_TRUE(std::isnan(steps[0].value));
+  EXPECT_TRUE(std::isnan(steps[0].value()));
 }
 
 // A box far around the body: bound to the thorax it stays, and a landmark is as deep as its nearest

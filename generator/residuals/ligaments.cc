@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Ligaments: conoid and trapezoid, one-sided springs between clavicle and scapula.
+//
+//     length against the bones   l - |p_TA - p_TB|,  the anatomy's attachments in the splines' pose
+//     beyond slack               max(0, l - l_slack),  l_slack the model's own
+//
+// Lengths and forces over everything that is visited are stated.
+
+#include <array>
+#include <cstddef>
+#include <string>
+
+#include "anatomy/posed_bones.h"
+#include "kinematics/lengths.h"
+#include "residuals/extreme.h"
+#include "residuals/residual_groups.h"
+#include "residuals/shown_angles.h"
+#include "text/number_text.h"
+
+namespace girdle {
+namespace {
+
+constexpr const char* kLigaments = "ligaments";
+
+// What is asked of the joints never stretches a ligament; what they lag behind by while they move
+// does: 3 deg of AC, 40 mm off the attachments, would be 2 mm. A tenth of a millimetre, 5 N, is
+// what slack was rounded to.
+constexpr double kStretched_mm = 0.1;
+
+// What one ligament does over poses and motions.
+struct LigamentExtremes {
+  WorstCase<ReportPlace, Worse::kSmaller> shortest_mm;
+  Extreme longest_mm;
+  Extreme beyond_slack_mm;
+  Extreme force_N;
+};
+
+class LigamentsGroup : public ResidualGroup {
+ public:
+  explicit LigamentsGroup(const MeasuredShoulder& shoulder) : shoulder_(shoulder) {}
+
+  void TakeStep(const SteppedState& step) override { Add(step.state, step.motion); }
+
+  void TakePose(const ShownPose& pose) override {
+    if (pose.kind == PoseKind::kAtTargets || pose.kind == PoseKind::kGridHeld) {
+      Add(pose.state, pose.name);
+    }
+    if (pose.kind == PoseKind::kAtTargets) {
+      for (std::size_t i = 0; i < kLigamentCount; ++i) {
+        const double wanted_m =
+            LigamentLength_m(shoulder_.anatomy.ligaments[i], shoulder_.anatomy, pose.wanted);
+        against_bones_mm_.Add(kMillimetersPerMeter * (pose.state.ligament_m[i] - wanted_m),
+                              pose.name, pose.command);
+      }
+    }
+  }
+
+  void AddLines(std::vector<Residual>& lines) override {
+    lines.push_back(
+        against_bones_mm_.Worst(kLigaments, "lengths against the bones", "mm", kExact_mm));
+    for (std::size_t i = 0; i < kLigamentCount; ++i) {
+      AddLinesOf(lines, std::string(kLigamentNames[i]), shoulder_.anatomy.ligaments[i],
+                 ligaments_[i]);
+    }
+  }
+
+ private:
+  void Add(const ShoulderState& state, std::string_view motion) {
+    const ShoulderElements& elements = shoulder_.simulation.elements();
+    const mjModel& model = shoulder_.simulation.model();
+    for (std::size_t i = 0; i < kLigamentCount; ++i) {
+      LigamentExtremes& extremes = ligaments_[i];
+      const double length_mm = kMillimetersPerMeter * state.ligament_m[i];
+      const double slack_mm =
+          kMillimetersPerMeter * model.tendon_lengthspring[2 * elements.tendons[i] + 1];
+      extremes.shortest_mm.Add(length_mm, motion, state.command);
+      extremes.longest_mm.Add(length_mm, motion, state.command);
+      // A length that is not a number is beyond.
+      extremes.beyond_slack_mm.Add(length_mm <= slack_mm ? 0 : length_mm - slack_mm, motion,
+                                   state.command);
+      extremes.force_N.Add(state.ligament_force_N[i], motion, state.command);
+    }
+  }
+
+  static void AddLinesOf(std::vector<Residual>& lines, const std::string& name,
+                         const Ligament& ligament, const LigamentExtremes& extremes) {
+    const auto millimeters = [](double length_m) {
+      return RoundedText(kMillimetersPerMeter * length_m, 1);
+    };
+    const ReportPlace& shortest = extremes.shortest_mm.place();
+    lines.push_back({kLigaments, name + ", shortest", extremes.shortest_mm.value(), "mm",
+                     std::nullopt, PlaceOf(shortest.motion, shortest.command)});
+    lines.push_back(extremes.longest_mm.Worst(kLigaments,
+                                              name + ", longest (published " +
+                                                  millimeters(ligament.published_m) + " +- " +
+                                                  millimeters(ligament.published_sd_m) + ")",
+                                              "mm", std::nullopt));
+    lines.push_back(
+        extremes.beyond_slack_mm.Worst(kLigaments, name + ", beyond slack", "mm", kStretched_mm));
+    lines.push_back(extremes.force_N.Worst(kLigaments, name + ", force", "N", std::nullopt));
+  }
+
+  MeasuredShoulder shoulder_;
+  Extreme against_bones_mm_;
+  std::array<LigamentExtremes, kLigamentCount> ligaments_;
+};
+
+}  // namespace
+
+ResidualGroupPointer MakeLigamentsGroup(const MeasuredShoulder& shoulder) {
+  return std::make_unique<LigamentsGroup>(shoulder);
+}
+
+}  // namespace girdle
