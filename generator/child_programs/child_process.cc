@@ -22,6 +22,8 @@
 #include <iterator>
 #include <set>
 
+#include "child_programs/child_end.h"
+#include "child_programs/descriptor.h"
 #include "text/input_error.h"
 
 namespace girdle {
@@ -90,16 +92,11 @@ void WriteAll(int file, std::string_view text) {
   if (child < 0) {
     EndBy(SIGRTMAX);
   }
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0) {
-    if (errno != EINTR) {
-      _exit(kThrew);
-    }
+  const ChildEnd end = WaitForEnd(child);
+  if (end.by_signal) {
+    EndBy(end.number);
   }
-  if (WIFSIGNALED(status)) {
-    EndBy(WTERMSIG(status));
-  }
-  _exit(WEXITSTATUS(status));
+  _exit(end.number);
 }
 
 // This process has one thread, whose number is that of the process.
@@ -151,49 +148,42 @@ void ReadReady(int file, std::string& text) {
   }
 }
 
-std::string HowItEnded(const siginfo_t& ended) {
-  if (ended.si_code != CLD_EXITED) {
-    return "was ended by a signal: " + std::string(strsignal(ended.si_status));
-  }
-  return ended.si_status == 0 ? "" : "ended with status " + std::to_string(ended.si_status);
-}
-
 }  // namespace
 
 ChildResult RunInChild(const Work& work, int limit_s) {
-  std::signal(SIGCHLD, SIG_DFL);  // who started this process may have it ignored
+  HearHowChildrenEnd();
   prctl(PR_SET_CHILD_SUBREAPER, 1);
   const std::set<pid_t> earlier = Sessions();
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0) {
     throw InputError("cannot make a pipe: " + std::string(std::strerror(errno)));
   }
+  Descriptor ours(ends[0]);
+  Descriptor theirs(ends[1]);
   const pid_t parent = fork();
   if (parent < 0) {
-    const std::string reason = std::strerror(errno);
-    close(ends[0]);
-    close(ends[1]);
-    throw InputError("cannot start a process: " + reason);
+    throw InputError("cannot start a process: " + std::string(std::strerror(errno)));
   }
   if (parent == 0) {
-    close(ends[0]);
-    BeParent(ends[1], work);
+    ours.Close();
+    BeParent(theirs.get(), work);
   }
-  close(ends[1]);
-  fcntl(ends[0], F_SETFL, O_NONBLOCK);
+  theirs.Close();
+  fcntl(ours.get(), F_SETFL, O_NONBLOCK);
   ChildResult result;
   bool is_started = true;
   const Clock::time_point end = Clock::now() + std::chrono::seconds(limit_s);
   for (;;) {
-    pollfd waiting{ends[0], POLLIN, 0};
+    pollfd waiting{ours.get(), POLLIN, 0};
     poll(&waiting, 1, kPause_ms);
     siginfo_t ended{};
     // It stays a zombie, so that its number stands for its group until that is killed.
     waitid(P_PID, static_cast<id_t>(parent), &ended, WEXITED | WNOHANG | WNOWAIT);
-    ReadReady(ends[0], result.output);
+    ReadReady(ours.get(), result.output);
     if (ended.si_pid != 0) {
-      is_started = ended.si_code == CLD_EXITED || ended.si_status != SIGRTMAX;
-      result.failure = HowItEnded(ended);
+      const ChildEnd how{ended.si_code != CLD_EXITED, ended.si_status};
+      is_started = !how.by_signal || how.number != SIGRTMAX;
+      result.failure = how.text();
       break;
     }
     if (result.output.size() > kMostOutput) {
@@ -206,12 +196,28 @@ ChildResult RunInChild(const Work& work, int limit_s) {
       break;
     }
   }
-  close(ends[0]);
+  ours.Close();
   KillAll(parent, earlier);
   if (!is_started) {
     throw InputError("cannot start a process: the system has no room for another one");
   }
   return result;
+}
+
+ChildResult RunProgramInChild(const std::filesystem::path& program,
+                              std::vector<std::string> arguments, int limit_s) {
+  std::string name = program.string();
+  std::vector<char*> words = {name.data()};
+  for (std::string& argument : arguments) {
+    words.push_back(argument.data());
+  }
+  words.push_back(nullptr);
+  return RunInChild(
+      [&](const auto&) {
+        execv(program.c_str(), words.data());
+        _exit(kCannotRun);
+      },
+      limit_s);
 }
 
 }  // namespace girdle

@@ -4,9 +4,11 @@
 /// Work in a process of its own, which may crash, hang or be hostile without harm to this one.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace girdle {
 
@@ -31,5 +33,9 @@ struct ChildResult {
 [[nodiscard]] ChildResult RunInChild(
     const std::function<void(const std::function<void(std::string_view)>& write)>& work,
     int limit_s);
+
+/// Runs a program in such a child. A program that cannot be run ends with kCannotRun.
+[[nodiscard]] ChildResult RunProgramInChild(const std::filesystem::path& program,
+                                            std::vector<std::string> arguments, int limit_s);
 
 }  // namespace girdle

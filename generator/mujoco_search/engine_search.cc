@@ -3,8 +3,6 @@
 
 #include "mujoco_search/engine_search.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdlib>
 #include <set>
@@ -13,6 +11,7 @@
 #include <system_error>
 
 #include "child_programs/child_process.h"
+#include "child_programs/program_search.h"
 
 namespace girdle {
 namespace {
@@ -23,8 +22,6 @@ constexpr std::string_view kEngineFile = "libmujoco.so";
 
 // Pythons start in a fraction of a second.
 constexpr int kPythonLimit_s = 10;
-// What a shell ends with if it cannot run a program.
-constexpr int kCannotRun = 127;
 
 constexpr std::string_view kMarker = "girdle:";
 // Prints a marker and the folder of the package, which is not imported: that would load its
@@ -39,18 +36,6 @@ constexpr const char* kAskPython =
 std::string Environment(const char* variable) {
   const char* value = std::getenv(variable);
   return value == nullptr ? "" : value;
-}
-
-// The parts of a list of folders such as PATH, but for those that depend on the current folder.
-std::vector<fs::path> FoldersOf(const char* variable) {
-  std::vector<fs::path> folders;
-  std::istringstream in(Environment(variable));
-  for (std::string folder; std::getline(in, folder, ':');) {
-    if (fs::path(folder).is_absolute()) {
-      folders.emplace_back(folder);
-    }
-  }
-  return folders;
 }
 
 // What is in a folder, in order of its names; nothing if there is no such folder or it may not be
@@ -105,7 +90,7 @@ std::vector<fs::path> PythonsOnPath() {
     }
     for (const char* name : {"python3", "python"}) {
       const fs::path python = folder / name;
-      if (access(python.c_str(), X_OK) == 0 && fs::is_regular_file(python, error)) {
+      if (IsProgram(python)) {
         pythons.push_back(python);
         break;  // in one folder both are the same
       }
@@ -115,12 +100,7 @@ std::vector<fs::path> PythonsOnPath() {
 }
 
 fs::path PackageOf(const fs::path& python, std::string& problem) {
-  const ChildResult answer = RunInChild(
-      [&](const auto&) {
-        execl(python.c_str(), python.c_str(), "-I", "-c", kAskPython, static_cast<char*>(nullptr));
-        _exit(kCannotRun);
-      },
-      kPythonLimit_s);
+  const ChildResult answer = RunProgramInChild(python, {"-I", "-c", kAskPython}, kPythonLimit_s);
   problem = answer.failure.empty() ? "gave another answer than a whole path" : answer.failure;
   // A script that starts Python may print lines as well.
   std::istringstream lines(answer.output);

@@ -4,14 +4,15 @@
 /// Pictures to a video by way of the program ffmpeg.
 #pragma once
 
-#include <sys/types.h>
-
 #include <filesystem>
-#include <string>
+#include <memory>
 
 #include "pictures/picture.h"
 
 namespace girdle {
+
+class ChildProgram;
+struct ChildEnd;
 
 /// Returns where PATH has ffmpeg, or an empty path.
 [[nodiscard]] std::filesystem::path FindFfmpeg();
@@ -41,16 +42,13 @@ class VideoPipe {
 
  private:
   /// Throws InputError with what it wrote, or else how it ended.
-  [[noreturn]] void Fail(int status) const;
-  /// The same, of one that reads no frames any more: waits for its end, or brings it about.
+  [[noreturn]] void Fail(const ChildEnd& end) const;
+  /// Throws InputError about an ffmpeg that reads no frames any more: waits for its end, or brings
+  /// it about.
   [[noreturn]] void FailAtItsEnd();
-  /// Waits for its end and returns how it ended, as waitpid says.
-  int Wait() noexcept;
 
   PictureSize size_;
-  int frames_ = -1;    ///< our end of ffmpeg's input
-  int messages_ = -1;  ///< file that it writes its errors to
-  pid_t child_ = -1;
+  std::unique_ptr<ChildProgram> ffmpeg_;
 };
 
 }  // namespace girdle

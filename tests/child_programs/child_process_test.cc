@@ -26,11 +26,7 @@ constexpr int kAmple_s = 30;
 
 // Runs a script of the shell.
 ChildResult RunShell(const std::string& script, int limit_s = kAmple_s) {
-  return RunInChild(
-      [&](const auto&) {
-        execl("/bin/sh", "sh", "-c", script.c_str(), static_cast<char*>(nullptr));
-      },
-      limit_s);
+  return RunProgramInChild("/bin/sh", {"-c", script}, limit_s);
 }
 
 // A file that is not there, for children to write.
@@ -65,6 +61,10 @@ TEST(RunInChild, ReturnsWhatAProgramPrintsThatTheChildBecomes) {
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
   EXPECT_EQ(child.output, "out\n");
   EXPECT_EQ(child.failure, "");
+}
+
+TEST(RunProgramInChild, SaysThatAProgramCannotBeRun) {
+  EXPECT_EQ(RunProgramInChild("/nowhere/program", {}, kAmple_s).failure, "ended with status 127");
 }
 
 TEST(RunInChild, OutlivesAChildThatCrashesAndKeepsWhatItWrote) {
