@@ -29,16 +29,6 @@ struct ContinuityArguments {
   bool json = false;
 };
 
-std::string_view DirectionName(Direction direction) {
-  return kDirectionNames[static_cast<std::size_t>(direction)];
-}
-
-std::string RhythmText(const ShoulderRhythm& rhythm) {
-  const RhythmOptions& options = rhythm.options();
-  return "interpolation " + std::string(Name(options.interpolation)) + ", closure " +
-         std::string(Name(options.closure)) + ", range " + std::string(Name(*options.range));
-}
-
 std::string JumpsAsText(const std::vector<InterpolationJumps>& jumps) {
   constexpr std::size_t kNameWidth = 15;
   constexpr std::size_t kDirectionWidth = 11;
@@ -55,7 +45,7 @@ std::string JumpsAsText(const std::vector<InterpolationJumps>& jumps) {
   text += "\n";
   for (const InterpolationJumps& row : jumps) {
     text += AlignedLeft(std::string(Name(row.interpolation)), kNameWidth) +
-            AlignedLeft(std::string(DirectionName(row.direction)), kDirectionWidth);
+            AlignedLeft(std::string(Name(row.direction)), kDirectionWidth);
     for (const auto order : {&JumpSummary::first, &JumpSummary::second}) {
       for (const JumpSummary& joint : row.joints) {
         text += AlignedRight(SignificantText(joint.*order, kDigits), kNumberWidth + 1);
@@ -86,13 +76,13 @@ std::string ChecksAsText(const std::vector<RhythmCheck>& checks) {
 std::string AsJson(const ShoulderRhythm& rhythm, const std::vector<InterpolationJumps>& jumps,
                    const std::vector<RhythmCheck>& checks, bool passed) {
   nlohmann::ordered_json json;
-  json["rhythm"] = RhythmText(rhythm);
+  json["rhythm"] = TextOf(rhythm.options());
   json["passed"] = passed;
   json["jumps"] = nlohmann::ordered_json::array();
   for (const InterpolationJumps& row : jumps) {
     nlohmann::ordered_json line;
     line["interpolation"] = Name(row.interpolation);
-    line["over"] = DirectionName(row.direction);
+    line["over"] = Name(row.direction);
     for (std::size_t joint = 0; joint < kJointCount; ++joint) {
       line[std::string(kJointNames[joint])] = {
           {"velocity_deg_per_deg", row.joints[joint].first},
@@ -113,13 +103,13 @@ std::string AsJson(const ShoulderRhythm& rhythm, const std::vector<Interpolation
 }
 
 bool Measure(const ContinuityArguments& arguments) {
-  const ShoulderRhythm rhythm = ChosenRhythm(arguments.rhythm);
-  // The interpolations are compared on the rhythm's own table, by default the measured one.
-  const RhythmTable table =
-      arguments.rhythm.table.empty() ? BuiltInRhythmTable(BuiltInTable::kMeasured) : rhythm.table();
-  const std::vector<InterpolationJumps> jumps = [&table] {
+  const RhythmChoice said = ChoiceFrom(arguments.rhythm);
+  const ShoulderRhythm rhythm = ChosenRhythm(Resolve(said));
+  // The interpolations are compared on the table that was said, by default the measured one.
+  const ResolvedRhythm compared = Resolve(Over(said, {.table = BuiltInTable::kMeasured}));
+  const std::vector<InterpolationJumps> jumps = [&compared] {
     try {
-      return MeasureJumps(table);
+      return MeasureJumps(compared.table);
     } catch (const std::invalid_argument& error) {
       throw InputError(error.what());
     }
@@ -131,9 +121,7 @@ bool Measure(const ContinuityArguments& arguments) {
     Print(AsJson(rhythm, jumps, checks, passed));
     return passed;
   }
-  const std::string table_name =
-      arguments.rhythm.table.empty() ? "measured" : arguments.rhythm.table;
-  Print("table   " + table_name + "\n" + JumpsAsText(jumps) + "\nrhythm  " + RhythmText(rhythm) +
+  Print("table   " + compared.table_name() + "\n" + JumpsAsText(jumps) + "\nrhythm  " + TextOf(rhythm.options()) +
         "\n" + ChecksAsText(checks) + "\n" + (passed ? "all checks pass\n" : "some checks fail\n"));
   return passed;
 }

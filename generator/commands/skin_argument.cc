@@ -30,9 +30,6 @@ namespace {
 constexpr const char* kImplicitWord = "implicit";
 constexpr std::array<std::string_view, 3> kMeshSuffixes = {".glb", ".gltf", ".obj"};
 
-// Words for what becomes of the head, in the order of Head.
-constexpr std::array<std::string_view, 2> kHeadNames = {"keep", "cut"};
-
 // The heat alone makes the border of the scapula too sharp, the artist alone hardly moves skin with
 // clavicle and scapula.
 constexpr double kArtistShare = 0.3;
@@ -113,7 +110,7 @@ std::optional<ChosenBody> BodyFor(const SkinArguments& arguments, const AnatomyA
   chosen.has_own_bones = true;
   if (source == Source::kFolder) {
     Head head = Head::kKept;
-    ChooseWord("--head", arguments.head, kHeadNames, head);
+    ChooseWord("--head", arguments.head, head);
     FittedBody fitted = FitBones(ReadMakeHumanMan(arguments.skin), BuiltInMakeHumanFit(),
                                  BuiltInAnatomy(), RelaxedStanding(), BuiltInRhythm(), head);
     chosen.body = std::move(fitted.body);

@@ -15,6 +15,7 @@
 #include <string_view>
 
 #include "kinematics/shoulder_pose.h"
+#include "kinematics/words.h"
 
 namespace girdle {
 
@@ -78,6 +79,7 @@ enum class Side { kRight, kLeft };
 
 /// Words for the sides and what their elements' names end in, in the order of the enumerators.
 inline constexpr std::array<std::string_view, 2> kSideNames = {"right", "left"};
+constexpr const auto& WordsOf(Side /*which*/) noexcept { return kSideNames; }
 inline constexpr std::array<std::string_view, 2> kSideSuffixes = {"_r", "_l"};
 
 /// Returns the name of one side's element: `scapula_r`.

@@ -139,10 +139,11 @@ RhythmController::RhythmController(const ModelView& model, int instance, const R
   FindSensors(model, instance);
   const auto first_rate = has_command.begin() + kCommandCount + kOffsetCount;
   has_rates_ = std::any_of(first_rate, has_command.end(), [](bool has) { return has; });
-  if (has_rates_ && config.options.interpolation != Interpolation::kSmooth) {
+  const ResolvedRhythm resolved = Resolve(config.rhythm);
+  if (has_rates_ && resolved.options.interpolation != Interpolation::kSmooth) {
     throw std::runtime_error(
         "there are rate commands (elevation_rate and so on), and the interpolation is " +
-        std::string(Name(config.options.interpolation)) +
+        std::string(Name(resolved.options.interpolation)) +
         ", which has no rates. Remove them, or use the interpolation smooth");
   }
   if (has_rates_ && assembly == Assembly::kLoop) {
@@ -152,7 +153,7 @@ RhythmController::RhythmController(const ModelView& model, int instance, const R
   }
   try {
     const JointRanges ranges = RangesOf(model);
-    rhythm_.emplace(ConfiguredRhythm(config, ranges), assembly,
+    rhythm_.emplace(MakeRhythm(resolved, ranges, "config: "), assembly,
                     ScapulothoracicRanges{ranges[3], ranges[4], ranges[5]});
   } catch (const std::invalid_argument& error) {
     throw std::runtime_error("st_ servos: " + std::string(error.what()));
