@@ -13,7 +13,6 @@
 #include "anatomy/built_in_anatomy.h"
 #include "commands/word_argument.h"
 #include "rhythm_tables/built_in_tables.h"
-#include "skin/bound_skin.h"
 #include "skin/fitted_body.h"
 #include "skin/implicit_body.h"
 #include "skin/makehuman_body.h"
@@ -122,8 +121,7 @@ std::optional<ChosenBody> BodyFor(const SkinArguments& arguments, const AnatomyA
   return chosen;
 }
 
-MadeSkin SkinOf(const ChosenBody& chosen, const std::vector<Side>& sides,
-                const std::string& file_name) {
+BoundSkin BoundTo(const ChosenBody& chosen, const std::vector<Side>& sides) {
   const PosedBody& body = chosen.body;
   const std::vector<SkinBone> bones = SkinBonesOf(sides);
   SkinWeights weights = BoneHeat(body.surface, BoneShapesOf(body, bones));
@@ -132,9 +130,14 @@ MadeSkin SkinOf(const ChosenBody& chosen, const std::vector<Side>& sides,
         SharesOf(bones, SkinBonesOf({Side::kRight, Side::kLeft}), chosen.artist);
     weights = Smoothed(body.surface, Mixed(weights, artist, kArtistShare), kSmoothingSteps);
   }
-  MadeSkin made{{file_name, {}}, SknBytes(Bind(body, bones, weights))};
+  return Bind(body, bones, weights);
+}
+
+MadeSkin SkinOf(const ChosenBody& chosen, const std::vector<Side>& sides,
+                const std::string& file_name) {
+  MadeSkin made{{file_name, {}}, SknBytes(BoundTo(chosen, sides))};
   for (const Side side : sides) {
-    made.element.landmarks.push_back(FindSkinLandmarks(body, side));
+    made.element.landmarks.push_back(FindSkinLandmarks(chosen.body, side));
   }
   return made;
 }
