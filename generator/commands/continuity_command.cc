@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -13,8 +14,12 @@
 #include "anatomy/built_in_anatomy.h"
 #include "commands/output_file.h"
 #include "commands/rhythm_arguments.h"
+#include "commands/skin_argument.h"
+#include "commands/skin_continuity.h"
 #include "rhythm_tables/built_in_tables.h"
 #include "rhythms/continuity.h"
+#include "skin/skin_landmarks.h"
+#include "skin/skin_measures.h"
 #include "text/input_error.h"
 #include "text/number_text.h"
 #include "text/text_columns.h"
@@ -26,18 +31,9 @@ constexpr int kDigits = 2;
 
 struct ContinuityArguments {
   RhythmArguments rhythm;
+  SkinArguments skin;
   bool json = false;
 };
-
-std::string_view DirectionName(Direction direction) {
-  return kDirectionNames[static_cast<std::size_t>(direction)];
-}
-
-std::string RhythmText(const ShoulderRhythm& rhythm) {
-  const RhythmOptions& options = rhythm.options();
-  return "interpolation " + std::string(Name(options.interpolation)) + ", closure " +
-         std::string(Name(options.closure)) + ", range " + std::string(Name(*options.range));
-}
 
 std::string JumpsAsText(const std::vector<InterpolationJumps>& jumps) {
   constexpr std::size_t kNameWidth = 15;
@@ -55,7 +51,7 @@ std::string JumpsAsText(const std::vector<InterpolationJumps>& jumps) {
   text += "\n";
   for (const InterpolationJumps& row : jumps) {
     text += AlignedLeft(std::string(Name(row.interpolation)), kNameWidth) +
-            AlignedLeft(std::string(DirectionName(row.direction)), kDirectionWidth);
+            AlignedLeft(std::string(Name(row.direction)), kDirectionWidth);
     for (const auto order : {&JumpSummary::first, &JumpSummary::second}) {
       for (const JumpSummary& joint : row.joints) {
         text += AlignedRight(SignificantText(joint.*order, kDigits), kNumberWidth + 1);
@@ -83,16 +79,37 @@ std::string ChecksAsText(const std::vector<RhythmCheck>& checks) {
   return text;
 }
 
-std::string AsJson(const ShoulderRhythm& rhythm, const std::vector<InterpolationJumps>& jumps,
-                   const std::vector<RhythmCheck>& checks, bool passed) {
+nlohmann::ordered_json SkinAsJson(const SkinContinuity& skin) {
   nlohmann::ordered_json json;
-  json["rhythm"] = RhythmText(rhythm);
+  json["jumps"] = nlohmann::ordered_json::array();
+  for (const SkinJumps& row : skin.jumps) {
+    json["jumps"].push_back({{"interpolation", Name(row.interpolation)},
+                             {"over", Name(row.direction)},
+                             {"ac_skin_mm_per_deg", row.ac_skin.value_mm_per_deg},
+                             {"where", row.ac_skin.where},
+                             {"all_mm_per_deg", row.all.value_mm_per_deg},
+                             {"all_where", row.all.where}});
+  }
+  json["steps"] = nlohmann::ordered_json::array();
+  for (const SkinStep& row : skin.steps) {
+    json["steps"].push_back({{"interpolation", Name(row.interpolation)},
+                             {"ac_skin_mm_per_deg", row.ac_skin.value_mm_per_deg},
+                             {"where", row.ac_skin.where}});
+  }
+  return json;
+}
+
+std::string AsJson(const ShoulderRhythm& rhythm, const std::vector<InterpolationJumps>& jumps,
+                   const std::vector<RhythmCheck>& checks,
+                   const std::optional<SkinContinuity>& skin, bool passed) {
+  nlohmann::ordered_json json;
+  json["rhythm"] = TextOf(rhythm.options());
   json["passed"] = passed;
   json["jumps"] = nlohmann::ordered_json::array();
   for (const InterpolationJumps& row : jumps) {
     nlohmann::ordered_json line;
     line["interpolation"] = Name(row.interpolation);
-    line["over"] = DirectionName(row.direction);
+    line["over"] = Name(row.direction);
     for (std::size_t joint = 0; joint < kJointCount; ++joint) {
       line[std::string(kJointNames[joint])] = {
           {"velocity_deg_per_deg", row.joints[joint].first},
@@ -109,31 +126,48 @@ std::string AsJson(const ShoulderRhythm& rhythm, const std::vector<Interpolation
                               {"passed", check.passed()},
                               {"where", check.where}});
   }
+  if (skin) {
+    json["skin"] = SkinAsJson(*skin);
+  }
   return json.dump(2) + "\n";
 }
 
+// The landmarks of the right shoulder's skin that was asked for, if any was.
+std::optional<LandmarkSkin> ChosenSkin(const SkinArguments& arguments) {
+  const std::vector<Side> sides = {Side::kRight};
+  const std::optional<ChosenBody> body = BodyFor(arguments, {}, sides);
+  if (!body) {
+    return std::nullopt;
+  }
+  return LandmarkSkin(SkinOnBones(BoundTo(*body, sides), body->body.anatomy),
+                      FindSkinLandmarks(body->body, Side::kRight));
+}
+
 bool Measure(const ContinuityArguments& arguments) {
-  const ShoulderRhythm rhythm = ChosenRhythm(arguments.rhythm);
-  // The interpolations are compared on the rhythm's own table, by default the measured one.
-  const RhythmTable table =
-      arguments.rhythm.table.empty() ? BuiltInRhythmTable(BuiltInTable::kMeasured) : rhythm.table();
-  const std::vector<InterpolationJumps> jumps = [&table] {
-    try {
-      return MeasureJumps(table);
-    } catch (const std::invalid_argument& error) {
-      throw InputError(error.what());
+  const RhythmChoice said = ChoiceFrom(arguments.rhythm);
+  const ShoulderRhythm rhythm = ChosenRhythm(Resolve(said));
+  // The interpolations are compared on the table that was said, by default the measured one.
+  const ResolvedRhythm compared = Resolve(Over(said, {.table = BuiltInTable::kMeasured}));
+  const std::optional<LandmarkSkin> landmarks = ChosenSkin(arguments.skin);
+  std::vector<InterpolationJumps> jumps;
+  std::optional<SkinContinuity> skin;
+  try {
+    jumps = MeasureJumps(compared.table);
+    if (landmarks) {
+      skin = MeasureSkin(*landmarks, compared.table);
     }
-  }();
+  } catch (const std::invalid_argument& error) {
+    throw InputError(error.what());
+  }
   const std::vector<RhythmCheck> checks = MeasureChecks(rhythm, BuiltInAnatomy().ranges);
   const bool passed = std::all_of(checks.begin(), checks.end(),
                                   [](const RhythmCheck& check) { return check.passed(); });
   if (arguments.json) {
-    Print(AsJson(rhythm, jumps, checks, passed));
+    Print(AsJson(rhythm, jumps, checks, skin, passed));
     return passed;
   }
-  const std::string table_name =
-      arguments.rhythm.table.empty() ? "measured" : arguments.rhythm.table;
-  Print("table   " + table_name + "\n" + JumpsAsText(jumps) + "\nrhythm  " + RhythmText(rhythm) +
+  Print("table   " + compared.table_name() + "\n" + JumpsAsText(jumps) +
+        (skin ? "\n" + SkinContinuityAsText(*skin) : "") + "\nrhythm  " + TextOf(rhythm.options()) +
         "\n" + ChecksAsText(checks) + "\n" + (passed ? "all checks pass\n" : "some checks fail\n"));
   return passed;
 }
@@ -145,11 +179,14 @@ void AddContinuityCommand(CLI::App& program, int& status) {
   CLI::App* verb = program.add_subcommand(
       "continuity", "How smooth the interpolations are, and what a rhythm keeps");
   AddRhythmArguments(*verb, arguments->rhythm);
+  AddSkinArguments(*verb, arguments->skin);
   verb->add_flag("--json", arguments->json, "The same as JSON");
   verb->footer(
       "Measured on poses by differences left and right of every line where a formula changes.\n"
       "Exit status 1 if a check fails.\n"
-      "Example:\n  girdle continuity");
+      "With --skin also what the interpolations do to the skin over the shoulder, which "
+      "\"girdle verify\" checks of a model's own rhythm.\n"
+      "Examples:\n  girdle continuity\n  girdle continuity --skin implicit");
   verb->callback([arguments, &status] { status = Measure(*arguments) ? 0 : 1; });
 }
 

@@ -42,12 +42,13 @@ struct GenerateArguments {
   bool json = false;
 };
 
-ShoulderModelOptions ModelOptions(const GenerateArguments& arguments) {
+ShoulderModelOptions ModelOptions(const GenerateArguments& arguments,
+                                  const ResolvedRhythm& rhythm) {
   ShoulderModelOptions options;
-  ChooseWord("--side", arguments.side, kSidesNames, options.sides);
-  ChooseWord("--assembly", arguments.assembly, kAssemblyNames, options.assembly);
-  ChooseWord("--lead", arguments.lead, kLeadNames, options.lead);
-  ChooseWord("--actuation", arguments.actuation, kActuationNames, options.actuation);
+  ChooseWord("--side", arguments.side, options.sides);
+  ChooseWord("--assembly", arguments.assembly, options.assembly);
+  ChooseWord("--lead", arguments.lead, options.lead);
+  ChooseWord("--actuation", arguments.actuation, options.actuation);
   if (!arguments.lead.empty() && options.assembly != Assembly::kLoop) {
     throw InputError("--lead " + arguments.lead +
                      ": in a tree the scapula hangs from the clavicle. Add --assembly loop");
@@ -72,20 +73,20 @@ ShoulderModelOptions ModelOptions(const GenerateArguments& arguments) {
           "--rates: not known for the assembly loop. Leave it away, or choose --assembly tree");
     }
   }
-  options.table = ChosenBuiltInTable(arguments.rhythm);
+  options.table = rhythm.built_in();
   options.has_offsets = arguments.offsets;
   options.has_rates = arguments.rates;
   options.has_thorax_contact = arguments.thorax_contact;
   return options;
 }
 
-std::string ModelXml(const GenerateArguments& arguments, const Anatomy& anatomy,
+std::string ModelXml(const ResolvedRhythm& resolved, const Anatomy& anatomy,
                      const ShoulderModelOptions& options) {
-  const ShoulderRhythm rhythm = ChosenRhythm(arguments.rhythm);
+  const ShoulderRhythm rhythm = ChosenRhythm(resolved);
   try {
     return ShoulderModelXml(anatomy, rhythm, options);
   } catch (const std::invalid_argument& error) {
-    throw InputError((options.table ? "" : arguments.rhythm.table + ": ") + error.what());
+    throw InputError((options.table ? "" : resolved.table_name() + ": ") + error.what());
   }
 }
 
@@ -133,7 +134,8 @@ std::string LandmarkFile(const Anatomy& anatomy) {
 }
 
 void Generate(const GenerateArguments& arguments) {
-  ShoulderModelOptions options = ModelOptions(arguments);
+  const ResolvedRhythm rhythm = Resolve(ChoiceFrom(arguments.rhythm));
+  ShoulderModelOptions options = ModelOptions(arguments, rhythm);
   const FileNames names = NamesFor(options);
   const std::vector<Side> sides = SidesOf(options.sides);
   const std::optional<ChosenBody> body = BodyFor(arguments.skin, arguments.anatomy, sides);
@@ -145,7 +147,7 @@ void Generate(const GenerateArguments& arguments) {
   }
   std::vector<std::pair<std::string, std::string>> files = {
       {names.scene, SceneXml(names.model, anatomy, options.sides, skin.has_value())},
-      {names.model, ModelXml(arguments, anatomy, options)}};
+      {names.model, ModelXml(rhythm, anatomy, options)}};
   if (skin) {
     files.emplace_back(names.skin, skin->bytes);
   }

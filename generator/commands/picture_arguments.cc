@@ -67,7 +67,7 @@ View ChosenView(const ViewArguments& arguments) {
     view.size = SizeFrom(arguments.size);
   }
   if (!arguments.show.empty()) {
-    ChooseWord("--show", arguments.show, kShowNames, view.show.emplace());
+    ChooseWord("--show", arguments.show, view.show.emplace());
   }
   return view;
 }

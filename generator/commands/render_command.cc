@@ -55,14 +55,14 @@ RenderRequest Requested(const RenderArguments& arguments) {
         ArmCommand{Direction_rad("--elevation", arguments.elevation),
                    arguments.plane.empty() ? 0 : Direction_rad("--plane", arguments.plane)};
   }
-  ChooseWord("--girdle", arguments.girdle, kGirdleMotionNames, request.girdle);
+  ChooseWord("--girdle", arguments.girdle, request.girdle);
   if (!arguments.side.empty()) {
     if (arguments.elevation.empty() && request.girdle == GirdleMotion::kMeasured) {
       throw InputError("--side " + arguments.side +
                        ": a keyframe is one of the whole model. Give --elevation as well, or leave "
                        "--side away");
     }
-    ChooseWord("--side", arguments.side, kSideNames, request.side.emplace());
+    ChooseWord("--side", arguments.side, request.side.emplace());
   }
   request.view = ChosenView(arguments.view);
   return request;
@@ -74,7 +74,7 @@ void Render(const RenderArguments& arguments) {
   const SimulationModule& simulation = LoadSimulation();
   OutputFile out(arguments.out);
   const RenderResult result = simulation.render(arguments.model, ChosenPlugin(arguments.plugin),
-                                                request, OverrideFrom(arguments.rhythm));
+                                                request, ChoiceFrom(arguments.rhythm));
   out.Write(result.png);
   out.Commit();
   Print((result.clamped

@@ -3,35 +3,30 @@
 
 #include "commands/rhythm_arguments.h"
 
-#include <fstream>
 #include <optional>
-#include <stdexcept>
 
 #include "anatomy/built_in_anatomy.h"
 #include "commands/word_argument.h"
-#include "rhythm_tables/rhythm_table_csv.h"
 #include "text/input_error.h"
 #include "text/number_text.h"
-#include "text/text_file.h"
 
 namespace girdle {
+namespace {
+
+// What was said of everything but the table.
+RhythmChoice ChoiceOfWords(const RhythmArguments& arguments) {
+  return {ChosenWord<Interpolation>("--interpolation", arguments.interpolation),
+          ChosenWord<Closure>("--closure", arguments.closure),
+          ChosenWord<Range>("--range", arguments.range)};
+}
+
+}  // namespace
 
 void AddTableArgument(CLI::App& verb, std::string& table) {
   verb.add_option("--table", table,
                   "Table: measured (Ludewig et al. 2009), destepped (the same without the steps "
                   "where people dropped out; default with smooth), or a CSV of your own")
       ->type_name("WORD|FILE");
-}
-
-RhythmTable ChosenTable(const std::string& table) {
-  if (table.empty()) {
-    return BuiltInRhythmTable(DefaultTable(RhythmOptions{}.interpolation));
-  }
-  if (const std::optional<BuiltInTable> built_in = BuiltInTableFromName(table)) {
-    return BuiltInRhythmTable(*built_in);
-  }
-  std::ifstream file = OpenTextFile(table);
-  return ReadRhythmTable(file, table);
 }
 
 void AddRhythmArguments(CLI::App& verb, RhythmArguments& arguments) {
@@ -48,38 +43,24 @@ void AddRhythmArguments(CLI::App& verb, RhythmArguments& arguments) {
       ->type_name("WORD");
 }
 
-RhythmOptions ChosenOptions(const RhythmArguments& arguments) {
-  RhythmOptions options;
-  ChooseWord("--interpolation", arguments.interpolation, kInterpolationNames,
-             options.interpolation);
-  ChooseWord("--closure", arguments.closure, kClosureNames, options.closure);
-  if (!arguments.range.empty()) {
-    ChooseWord("--range", arguments.range, kRangeNames, options.range.emplace());
+RhythmChoice ChoiceFrom(const RhythmArguments& arguments) {
+  RhythmChoice choice = ChoiceOfWords(arguments);
+  if (!arguments.table.empty()) {
+    choice.table = TableFromWordOrFile(arguments.table);
   }
-  return options;
-}
-
-std::optional<BuiltInTable> ChosenBuiltInTable(const RhythmArguments& arguments) {
-  return arguments.table.empty() ? DefaultTable(ChosenOptions(arguments).interpolation)
-                                 : BuiltInTableFromName(arguments.table);
+  return choice;
 }
 
 ShoulderRhythm ChosenRhythm(const RhythmArguments& arguments) {
-  const RhythmOptions options = ChosenOptions(arguments);
-  const JointRanges ranges = BuiltInAnatomy().ranges;
-  const std::optional<BuiltInTable> built_in = ChosenBuiltInTable(arguments);
-  if (!built_in) {
-    return ReadShoulderRhythm(arguments.table, options, ranges);
-  }
-  try {
-    return ShoulderRhythm(BuiltInRhythmTable(*built_in), options, ranges);
-  } catch (const std::invalid_argument& error) {
-    throw InputError("these options do not go together: " + std::string(error.what()));
-  }
+  return ChosenRhythm(Resolve(ChoiceFrom(arguments)));
+}
+
+ShoulderRhythm ChosenRhythm(const ResolvedRhythm& resolved) {
+  return MakeRhythm(resolved, BuiltInAnatomy().ranges);
 }
 
 void ExpectRates(const RhythmArguments& arguments) {
-  const Interpolation interpolation = ChosenOptions(arguments).interpolation;
+  const Interpolation interpolation = OptionsOf(ChoiceOfWords(arguments)).interpolation;
   if (interpolation != Interpolation::kSmooth) {
     throw InputError("--rates: the interpolation " + std::string(Name(interpolation)) +
                      " has no derivatives. Choose --interpolation smooth");

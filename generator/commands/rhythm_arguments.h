@@ -5,38 +5,34 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <optional>
 #include <string>
 
 #include "kinematics/shoulder_rhythm.h"
-#include "rhythm_tables/built_in_tables.h"
+#include "rhythm_tables/rhythm_choice.h"
 
 namespace girdle {
 
 /// `--table`, `--interpolation`, `--closure`, `--range` as given; empty where not given.
 struct RhythmArguments {
-  std::string table;
-  std::string interpolation;
-  std::string closure;
-  std::string range;
+  std::string table{};
+  std::string interpolation{};
+  std::string closure{};
+  std::string range{};
 };
 
 void AddRhythmArguments(CLI::App& verb, RhythmArguments& arguments);
 
-/// `--table` alone, for verbs that need no rhythm, and the table that it names, the default
-/// rhythm's if it is empty. Throws InputError if it is neither a word nor a table.
+/// `--table` alone, for verbs that need no rhythm.
 void AddTableArgument(CLI::App& verb, std::string& table);
-[[nodiscard]] RhythmTable ChosenTable(const std::string& table);
 
-/// Returns the options chosen, defaults where nothing was given. Throws InputError for an unknown
-/// word, naming the known ones.
-[[nodiscard]] RhythmOptions ChosenOptions(const RhythmArguments& arguments);
+/// Returns what the user said of the rhythm, and only that. Throws InputError for an unknown word,
+/// naming the known ones, and for a table that is neither a word nor a file with a table.
+[[nodiscard]] RhythmChoice ChoiceFrom(const RhythmArguments& arguments);
 
-/// Returns the built-in table chosen, by its word or by default; nothing if it is a file.
-[[nodiscard]] std::optional<BuiltInTable> ChosenBuiltInTable(const RhythmArguments& arguments);
-
-/// Returns the rhythm chosen, in the joint ranges of the built-in anatomy.
+/// Returns the rhythm chosen, in the joint ranges of the built-in anatomy. Throws as ChoiceFrom, or
+/// if the options do not go together.
 [[nodiscard]] ShoulderRhythm ChosenRhythm(const RhythmArguments& arguments);
+[[nodiscard]] ShoulderRhythm ChosenRhythm(const ResolvedRhythm& resolved);
 
 /// Throws InputError, which says how to mend it, if the interpolation chosen cannot give `--rates`.
 void ExpectRates(const RhythmArguments& arguments);

@@ -65,7 +65,7 @@ MotionRequest Requested(const SimulateArguments& arguments) {
   }
   MotionRequest request;
   if (!arguments.side.empty()) {
-    ChooseWord("--side", arguments.side, kSideNames, request.side.emplace());
+    ChooseWord("--side", arguments.side, request.side.emplace());
   }
   if (arguments.motion) {
     if (arguments.plane || arguments.seconds) {
@@ -194,7 +194,7 @@ void Simulate(const SimulateArguments& arguments) {
   }
   TerminalProgress progress("simulating", !prints_table);
   const SimulationSummary summary = simulation.simulate(
-      arguments.model, ChosenPlugin(arguments.plugin), request, OverrideFrom(arguments.rhythm),
+      arguments.model, ChosenPlugin(arguments.plugin), request, ChoiceFrom(arguments.rhythm),
       into(trace), controls ? TextSink(into(controls)) : nullptr, pictures, std::ref(progress));
   progress.Clear();
   for (std::optional<OutputFile>* const file : {&trace, &controls, &picture, &video}) {

@@ -37,20 +37,6 @@ std::string ChosenPlugin(const std::string& plugin) {
   return plugin.empty() ? PartOfProgram(kPluginFile).string() : plugin;
 }
 
-RhythmOverride OverrideFrom(const RhythmArguments& arguments) {
-  const RhythmOptions options = ChosenOptions(arguments);
-  RhythmOverride rhythm;
-  if (!arguments.interpolation.empty()) {
-    rhythm.interpolation = options.interpolation;
-  }
-  if (!arguments.closure.empty()) {
-    rhythm.closure = options.closure;
-  }
-  rhythm.range = options.range;
-  rhythm.table = arguments.table;
-  return rhythm;
-}
-
 std::filesystem::path ProgramFolder() {
   std::error_code error;
   return std::filesystem::read_symlink("/proc/self/exe", error).parent_path();

@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <string>
 
-#include "commands/rhythm_arguments.h"
 #include "engine_verbs/module.h"
 
 namespace girdle {
@@ -18,9 +17,6 @@ void AddPluginArgument(CLI::App& verb, std::string& plugin);
 
 /// Returns `plugin`, or if it is empty the plugin that belongs to this program.
 [[nodiscard]] std::string ChosenPlugin(const std::string& plugin);
-
-/// Returns what the user said of the rhythm, and only that. Throws InputError for an unknown word.
-[[nodiscard]] RhythmOverride OverrideFrom(const RhythmArguments& arguments);
 
 /// Returns the folder that the program lies in.
 [[nodiscard]] std::filesystem::path ProgramFolder();

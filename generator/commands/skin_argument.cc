@@ -13,7 +13,6 @@
 #include "anatomy/built_in_anatomy.h"
 #include "commands/word_argument.h"
 #include "rhythm_tables/built_in_tables.h"
-#include "skin/bound_skin.h"
 #include "skin/fitted_body.h"
 #include "skin/implicit_body.h"
 #include "skin/makehuman_body.h"
@@ -29,9 +28,6 @@ namespace {
 
 constexpr const char* kImplicitWord = "implicit";
 constexpr std::array<std::string_view, 3> kMeshSuffixes = {".glb", ".gltf", ".obj"};
-
-// Words for what becomes of the head, in the order of Head.
-constexpr std::array<std::string_view, 2> kHeadNames = {"keep", "cut"};
 
 // The heat alone makes the border of the scapula too sharp, the artist alone hardly moves skin with
 // clavicle and scapula.
@@ -113,7 +109,7 @@ std::optional<ChosenBody> BodyFor(const SkinArguments& arguments, const AnatomyA
   chosen.has_own_bones = true;
   if (source == Source::kFolder) {
     Head head = Head::kKept;
-    ChooseWord("--head", arguments.head, kHeadNames, head);
+    ChooseWord("--head", arguments.head, head);
     FittedBody fitted = FitBones(ReadMakeHumanMan(arguments.skin), BuiltInMakeHumanFit(),
                                  BuiltInAnatomy(), RelaxedStanding(), BuiltInRhythm(), head);
     chosen.body = std::move(fitted.body);
@@ -125,8 +121,7 @@ std::optional<ChosenBody> BodyFor(const SkinArguments& arguments, const AnatomyA
   return chosen;
 }
 
-MadeSkin SkinOf(const ChosenBody& chosen, const std::vector<Side>& sides,
-                const std::string& file_name) {
+BoundSkin BoundTo(const ChosenBody& chosen, const std::vector<Side>& sides) {
   const PosedBody& body = chosen.body;
   const std::vector<SkinBone> bones = SkinBonesOf(sides);
   SkinWeights weights = BoneHeat(body.surface, BoneShapesOf(body, bones));
@@ -135,9 +130,14 @@ MadeSkin SkinOf(const ChosenBody& chosen, const std::vector<Side>& sides,
         SharesOf(bones, SkinBonesOf({Side::kRight, Side::kLeft}), chosen.artist);
     weights = Smoothed(body.surface, Mixed(weights, artist, kArtistShare), kSmoothingSteps);
   }
-  MadeSkin made{{file_name, {}}, SknBytes(Bind(body, bones, weights))};
+  return Bind(body, bones, weights);
+}
+
+MadeSkin SkinOf(const ChosenBody& chosen, const std::vector<Side>& sides,
+                const std::string& file_name) {
+  MadeSkin made{{file_name, {}}, SknBytes(BoundTo(chosen, sides))};
   for (const Side side : sides) {
-    made.element.landmarks.push_back(FindSkinLandmarks(body, side));
+    made.element.landmarks.push_back(FindSkinLandmarks(chosen.body, side));
   }
   return made;
 }

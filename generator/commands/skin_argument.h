@@ -13,6 +13,7 @@
 #include "mjcf/shoulder_model.h"
 #include "names/model_names.h"
 #include "skin/bone_heat.h"
+#include "skin/bound_skin.h"
 #include "skin/posed_body.h"
 
 namespace girdle {
@@ -48,8 +49,11 @@ struct MadeSkin {
   std::string bytes;  ///< of the file
 };
 
-/// Returns the skin of a model of these sides, bound to its bones: by heat, and where there was an
-/// artist by 30 % of what the artist chose. To be written to `file_name` beside the model.
+/// Returns the body's surface bound to the bones of a model of these sides: by heat, and where
+/// there was an artist by 30 % of what the artist chose.
+[[nodiscard]] BoundSkin BoundTo(const ChosenBody& chosen, const std::vector<Side>& sides);
+
+/// Returns BoundTo as a model's skin, to be written to `file_name` beside the model.
 [[nodiscard]] MadeSkin SkinOf(const ChosenBody& chosen, const std::vector<Side>& sides,
                               const std::string& file_name);
 

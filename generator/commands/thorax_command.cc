@@ -191,10 +191,8 @@ void FitThorax(const ThoraxArguments& arguments, const Anatomy& anatomy) {
     throw InputError(
         "--json and --out - both want standard output. Write the ellipsoids to a file");
   }
-  const std::string name = arguments.table.empty()
-                               ? std::string(Name(DefaultTable(RhythmOptions{}.interpolation)))
-                               : arguments.table;
-  const ThoraxReport report = ReportOn(anatomy, ChosenTable(arguments.table), name);
+  const ResolvedRhythm chosen = Resolve(ChoiceFrom({.table = arguments.table}));
+  const ThoraxReport report = ReportOn(anatomy, chosen.table, chosen.table_name());
   if (!arguments.out.empty()) {
     Anatomy with_fit = anatomy;
     with_fit.gliding = report.fitted.ellipsoid;

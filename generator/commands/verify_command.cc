@@ -56,7 +56,7 @@ VerifyResult VerifyMapped(const VerifyArguments& arguments, TerminalProgress& pr
       {arguments.model, arguments.mapping,
        values_deg(kElevationSweep, arguments.elevation, kDefaultElevation),
        values_deg(kPlaneSweep, arguments.plane, kDefaultPlane)},
-      ChosenPlugin(arguments.plugin), OverrideFrom(arguments.rhythm), arguments.json,
+      ChosenPlugin(arguments.plugin), ChoiceFrom(arguments.rhythm), arguments.json,
       std::ref(progress));
 }
 
@@ -72,13 +72,13 @@ bool Verify(const VerifyArguments& arguments) {
         "away");
   }
   GirdleMotion girdle = GirdleMotion::kMeasured;
-  ChooseWord("--girdle", arguments.girdle, kGirdleMotionNames, girdle);
+  ChooseWord("--girdle", arguments.girdle, girdle);
   const Anatomy anatomy = ChosenAnatomy(arguments.anatomy);
   TerminalProgress progress("verifying");
   const VerifyResult result =
       arguments.mapping.empty()
           ? LoadSimulation().verify(arguments.model, ChosenPlugin(arguments.plugin),
-                                    OverrideFrom(arguments.rhythm), anatomy, girdle, arguments.json,
+                                    ChoiceFrom(arguments.rhythm), anatomy, girdle, arguments.json,
                                     std::ref(progress))
           : VerifyMapped(arguments, progress);
   progress.Clear();

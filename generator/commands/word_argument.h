@@ -4,33 +4,35 @@
 /// Options of the command line that take one of some words.
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
+#include "kinematics/words.h"
 #include "text/input_error.h"
 
 namespace girdle {
 
-/// Sets `chosen`, of an enumeration whose words are `names` in its order, to what `word` says; an
-/// option that was not given (an empty word) leaves it. Throws InputError with the known words.
-template <typename Enumeration, std::size_t N>
-void ChooseWord(const std::string& option, const std::string& word,
-                const std::array<std::string_view, N>& names, Enumeration& chosen) {
-  if (word.empty()) {
-    return;
-  }
-  const auto found = std::find(names.begin(), names.end(), word);
-  if (found == names.end()) {
+/// Returns the value that `word` stands for; nothing if the option was not given (an empty word).
+/// Throws InputError with the known words.
+template <HasWords Enumeration>
+[[nodiscard]] std::optional<Enumeration> ChosenWord(const std::string& option,
+                                                    const std::string& word) {
+  const std::optional<Enumeration> chosen = FromName<Enumeration>(word);
+  if (!chosen && !word.empty()) {
     std::string choices;
-    for (const std::string_view name : names) {
+    for (const std::string_view name : WordsOf(Enumeration{})) {
       choices += (choices.empty() ? "" : ", ") + std::string(name);
     }
     throw InputError(option + " " + word + ": not known. Choose one of: " + choices);
   }
-  chosen = static_cast<Enumeration>(found - names.begin());
+  return chosen;
+}
+
+/// Sets `chosen` to what `word` says; an option that was not given leaves it. Throws as ChosenWord.
+template <HasWords Enumeration>
+void ChooseWord(const std::string& option, const std::string& word, Enumeration& chosen) {
+  chosen = ChosenWord<Enumeration>(option, word).value_or(chosen);
 }
 
 }  // namespace girdle

@@ -20,7 +20,7 @@
 #include "residuals/residual_report.h"
 #include "residuals/residuals.h"
 #include "residuals/scapulothoracic_survey.h"
-#include "rhythm_tables/built_in_tables.h"
+#include "rhythm_tables/rhythm_choice.h"
 #include "rhythm_tables/rhythm_config.h"
 #include "rhythm_tables/rhythm_table_csv.h"
 #include "simulation/engine.h"
@@ -65,43 +65,9 @@ double LargestError_deg(const ShoulderState& state) {
   return DegreesFromRadians(largest_rad);
 }
 
-std::string ConfigText(const LoadedShoulders& simulation, const char* key) {
-  const char* text = mj_getPluginConfig(&simulation.model(), simulation.elements().instance, key);
-  return text == nullptr ? "" : text;
-}
-
-// What the model says of its rhythm; position servos say nothing and stand for the defaults.
-RhythmConfig ConfigOf(const LoadedShoulders& simulation) {
-  if (!simulation.has_plugin()) {
-    return ParseRhythmConfig({});
-  }
-  return ParseRhythmConfig({ConfigText(simulation, kInterpolationKey),
-                            ConfigText(simulation, kClosureKey), ConfigText(simulation, kRangeKey),
-                            ConfigText(simulation, kTableKey),
-                            ConfigText(simulation, kStiffnessKey)});
-}
-
-// The rhythm that the model says it uses, with what the user says instead.
-ShoulderRhythm RhythmOf(const LoadedShoulders& simulation, const RhythmOverride& override) {
-  RhythmConfig config = ConfigOf(simulation);
-  if (override.range || override.interpolation || override.closure) {
-    config.options.range = override.range;
-  }
-  config.options.interpolation = override.interpolation.value_or(config.options.interpolation);
-  config.options.closure = override.closure.value_or(config.options.closure);
-  if (!simulation.has_plugin() && override.table.empty()) {
-    config.table = BuiltInRhythmTable(DefaultTable(config.options.interpolation));
-  }
-  if (const auto built_in = BuiltInTableFromName(override.table)) {
-    config.table = BuiltInRhythmTable(*built_in);
-  } else if (!override.table.empty()) {
-    return ReadShoulderRhythm(override.table, config.options, simulation.ranges());
-  }
-  try {
-    return ShoulderRhythm(config.table, config.options, simulation.ranges());
-  } catch (const std::invalid_argument& error) {
-    throw InputError(simulation.name() + ": these options do not go together: " + error.what());
-  }
+ShoulderRhythm RhythmOf(const LoadedShoulders& simulation, const ResolvedRhythm& resolved) {
+  return MakeRhythm(resolved, simulation.ranges(),
+                    simulation.name() + ": these options do not go together: ");
 }
 
 AssembledRhythm AssembledOf(const LoadedShoulders& simulation, ShoulderRhythm rhythm) {
@@ -114,46 +80,35 @@ AssembledRhythm AssembledOf(const LoadedShoulders& simulation, ShoulderRhythm rh
 }
 
 // Refuses a model that moves otherwise than the user says.
-void ExpectRhythm(const LoadedShoulders& simulation, const RhythmOverride& override) {
+void ExpectRhythm(const LoadedShoulders& simulation, const RhythmChoice& said) {
   if (!simulation.has_plugin()) {
     return;  // follows whatever it is given
   }
-  const ShoulderRhythm own = RhythmOf(simulation, {});
-  const ShoulderRhythm wanted = RhythmOf(simulation, override);
+  const RhythmChoice model_says = OwnChoice(simulation);
+  const ResolvedRhythm own = Resolve(model_says);
+  const ResolvedRhythm wanted = Resolve(Over(said, model_says));
   const auto refuse = [&](const std::string& what) {
     throw InputError(simulation.name() + ": the model uses another " + what +
                      ". Make one that does with girdle generate and the same options");
   };
-  if (own.options().interpolation != wanted.options().interpolation) {
-    refuse("interpolation than " + std::string(Name(wanted.options().interpolation)));
+  // Whether there is such a rhythm.
+  static_cast<void>(RhythmOf(simulation, wanted));
+  if (own.options.interpolation != wanted.options.interpolation) {
+    refuse("interpolation than " + std::string(Name(wanted.options.interpolation)));
   }
-  if (own.options().closure != wanted.options().closure) {
-    refuse("closure than " + std::string(Name(wanted.options().closure)));
+  if (own.options.closure != wanted.options.closure) {
+    refuse("closure than " + std::string(Name(wanted.options.closure)));
   }
-  if (override.range && own.options().range != wanted.options().range) {
-    refuse("range than " + std::string(Name(*wanted.options().range)));
+  if (said.range && own.options.range != wanted.options.range) {
+    refuse("range than " + std::string(Name(*wanted.options.range)));
   }
-  if (!override.table.empty() &&
-      RhythmTableToLine(own.table()) != RhythmTableToLine(wanted.table())) {
-    refuse("table than " + override.table);
+  if (said.table && RhythmTableToLine(own.table) != RhythmTableToLine(wanted.table)) {
+    refuse("table than " + NameOf(*said.table));
   }
-}
-
-std::string TableName(const LoadedShoulders& simulation, const RhythmOverride& override) {
-  if (!override.table.empty()) {
-    return override.table;
-  }
-  const std::string text =
-      simulation.has_plugin() ? ConfigText(simulation, kTableKey) : std::string();
-  if (text.empty()) {
-    return std::string(Name(
-        DefaultTable(override.interpolation.value_or(ConfigOf(simulation).options.interpolation))));
-  }
-  return BuiltInTableFromName(text) ? text : "the model's own";
 }
 
 SimulationSummary Simulate(const std::string& model_path, const std::string& plugin,
-                           const MotionRequest& request, const RhythmOverride& rhythm,
+                           const MotionRequest& request, const RhythmChoice& rhythm,
                            const TextSink& trace, const TextSink& controls,
                            const PictureRequest& pictures, const ProgressSink& progress) {
   const Motion motion = RequestedMotion(request);
@@ -164,8 +119,8 @@ SimulationSummary Simulate(const std::string& model_path, const std::string& plu
   if (request.side) {
     loaded.Watch(*request.side);
   }
-  AssembledRhythm own =
-      AssembledOf(loaded, RhythmOf(loaded, loaded.has_plugin() ? RhythmOverride{} : rhythm));
+  const RhythmChoice choice = loaded.has_plugin() ? OwnChoice(loaded) : rhythm;
+  AssembledRhythm own = AssembledOf(loaded, RhythmOf(loaded, Resolve(choice)));
   ShoulderSimulation simulation(std::move(loaded), std::move(own));
   const auto steps = static_cast<long>(std::lround(motion.duration_s / simulation.timestep_s()));
   const auto command_at = [&](long step) {
@@ -261,7 +216,7 @@ void Pose(ShoulderSimulation& simulation, const RenderRequest& request, bool& cl
 }
 
 RenderResult Render(const std::string& model_path, const std::string& plugin,
-                    const RenderRequest& request, const RhythmOverride& override) {
+                    const RenderRequest& request, const RhythmChoice& said) {
   const EngineWatch watch;
   LoadPlugin(plugin);
   ModelPointer model = LoadModel(model_path);
@@ -283,7 +238,8 @@ RenderResult Render(const std::string& model_path, const std::string& plugin,
   if (request.side) {
     loaded.Watch(*request.side);
   }
-  AssembledRhythm rhythm = AssembledOf(loaded, RhythmOf(loaded, override));
+  AssembledRhythm rhythm =
+      AssembledOf(loaded, RhythmOf(loaded, Resolve(Over(said, OwnChoice(loaded)))));
   ShoulderSimulation simulation(std::move(loaded), std::move(rhythm));
   FrameRenderer renderer(simulation.model(), model_path, request.view);
   if (key >= 0) {
@@ -303,62 +259,38 @@ std::string KindOf(const ShoulderSimulation& simulation) {
   const ShoulderElements& elements = simulation.elements();
   std::string text;
   for (const ShoulderElements& shoulder : simulation.shoulders()) {
-    text += (text.empty() ? "" : " and ") +
-            std::string(kSideNames[static_cast<std::size_t>(shoulder.side)]);
+    text += (text.empty() ? "" : " and ") + std::string(Name(shoulder.side));
   }
-  text += ", assembly " + std::string(kAssemblyNames[static_cast<std::size_t>(elements.assembly)]);
+  text += ", assembly " + std::string(Name(elements.assembly));
   if (elements.assembly == Assembly::kLoop) {
-    text += ", the " + std::string(kLeadNames[static_cast<std::size_t>(elements.lead)]) + " leads";
+    text += ", the " + std::string(Name(elements.lead)) + " leads";
   }
   return text + (simulation.has_plugin() ? ", plugin" : ", position servos");
 }
 
-std::string RhythmText(const RhythmOptions& options, const std::string& table) {
-  return "interpolation " + std::string(Name(options.interpolation)) + ", closure " +
-         std::string(Name(options.closure)) + ", range " + std::string(Name(*options.range)) +
-         ", table " + table;
-}
-
 VerifyResult Verify(const std::string& model_path, const std::string& plugin,
-                    const RhythmOverride& override, const Anatomy& anatomy, GirdleMotion girdle,
+                    const RhythmChoice& said, const Anatomy& anatomy, GirdleMotion girdle,
                     bool json, const ProgressSink& progress) {
   const EngineWatch watch;
   LoadPlugin(plugin);
   LoadedShoulders loaded(LoadModel(model_path), model_path);
-  AssembledRhythm meant = AssembledOf(loaded, RhythmOf(loaded, override));
+  const ResolvedRhythm resolved = Resolve(Over(said, OwnChoice(loaded)));
+  AssembledRhythm meant = AssembledOf(loaded, RhythmOf(loaded, resolved));
   ShoulderSimulation simulation(std::move(loaded), std::move(meant));
-  const AssembledRhythm& rhythm = simulation.rhythm();
-  ResidualReport report = MeasureResiduals(simulation, rhythm, anatomy, progress, girdle);
-  report.rhythm = RhythmText(rhythm.rhythm().options(), TableName(simulation.loaded(), override));
+  ResidualReport report =
+      MeasureResiduals(simulation, simulation.rhythm(), anatomy, progress, girdle);
+  report.rhythm = resolved.text();
   report.kind =
       KindOf(simulation) + (girdle == GirdleMotion::kFrozen ? ", skin of a frozen girdle" : "");
   return {json ? ReportAsJson(report) : ReportAsText(report), report.passed()};
 }
 
-// The rhythm of the built-in shoulder with what the user says of it.
-ShoulderRhythm ReferenceRhythm(const RhythmOverride& override) {
-  RhythmOptions options;
-  options.interpolation = override.interpolation.value_or(options.interpolation);
-  options.closure = override.closure.value_or(options.closure);
-  options.range = override.range;
-  const auto built_in = override.table.empty() ? DefaultTable(options.interpolation)
-                                               : BuiltInTableFromName(override.table);
-  const JointRanges ranges = BuiltInAnatomy().ranges;
-  if (!built_in) {
-    return ReadShoulderRhythm(override.table, options, ranges);
-  }
-  try {
-    return ShoulderRhythm(BuiltInRhythmTable(*built_in), options, ranges);
-  } catch (const std::invalid_argument& error) {
-    throw InputError("these options do not go together: " + std::string(error.what()));
-  }
-}
-
 VerifyResult VerifyMapped(const MappedModel& mapped, const std::string& plugin,
-                          const RhythmOverride& override, bool json, const ProgressSink& progress) {
+                          const RhythmChoice& said, bool json, const ProgressSink& progress) {
   std::ifstream in = OpenTextFile(mapped.mapping);
   const ModelMapping mapping = ReadModelMapping(in, mapped.mapping);
-  const ShoulderRhythm rhythm = ReferenceRhythm(override);
+  const ResolvedRhythm resolved = Resolve(said);
+  const ShoulderRhythm rhythm = MakeRhythm(resolved, BuiltInAnatomy().ranges);
   const EngineWatch watch;
   LoadPlugin(plugin);
   const ModelPointer model = LoadModel(mapped.model);
@@ -367,13 +299,9 @@ VerifyResult VerifyMapped(const MappedModel& mapped, const std::string& plugin,
   ScapulothoracicSurvey survey = SurveyGirdle(arm, shoulder, rhythm, BuiltInAnatomy().gliding,
                                               {mapped.elevations_deg, mapped.planes_deg}, progress);
   survey.report.model = mapped.model;
-  survey.report.kind = std::string(kSideNames[static_cast<std::size_t>(mapping.side)]) +
-                       ", mapped by " + mapped.mapping + ", moved by its " +
-                       (mapping.drives_are_actuators ? "actuators" : "joints");
-  survey.report.rhythm = RhythmText(
-      rhythm.options(), override.table.empty()
-                            ? std::string(Name(DefaultTable(rhythm.options().interpolation)))
-                            : override.table);
+  survey.report.kind = std::string(Name(mapping.side)) + ", mapped by " + mapped.mapping +
+                       ", moved by its " + (mapping.drives_are_actuators ? "actuators" : "joints");
+  survey.report.rhythm = resolved.text();
   return {json ? SurveyAsJson(survey) : SurveyAsText(survey), survey.report.passed()};
 }
 

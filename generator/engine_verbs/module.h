@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "anatomy/anatomy.h"
-#include "kinematics/shoulder_rhythm.h"
 #include "names/model_names.h"
 #include "pictures/picture_request.h"
 #include "pictures/view.h"
+#include "rhythm_tables/rhythm_choice.h"
 #include "simulation/girdle_motion.h"
 #include "text/sinks.h"
 
@@ -37,16 +37,6 @@ struct MotionRequest {
   std::variant<ReachingRequest, MotionFile> motion;
   /// Shoulder of the trace; nothing for the model's first.
   std::optional<Side> side;
-};
-
-/// What the user says of the rhythm. Position servos know none: they follow what is said here, or
-/// the defaults. Of a model with the plugin: `verify` holds a model against it instead of against
-/// what the model says; `simulate` refuses a model that says otherwise.
-struct RhythmOverride {
-  std::optional<Interpolation> interpolation;
-  std::optional<Closure> closure;
-  std::optional<Range> range;
-  std::string table;  ///< a word of kBuiltInTableNames or a file; empty for the model's own
 };
 
 struct SimulationSummary {
@@ -95,28 +85,33 @@ struct VerifyResult {
 };
 
 /// The functions of the library. All throw InputError.
+///
+/// `rhythm` is what the user says of it, over what the model says. Position servos know none: they
+/// follow what is said here, or the defaults. Of a model with the plugin: `verify` holds a model
+/// against it instead of against what the model says; `simulate` refuses a model that says
+/// otherwise.
 struct SimulationModule {
   /// Loads a model that is not written yet, the first of (name, text) with what it includes, with
   /// the plugin, and returns a line that says what MuJoCo found in it.
   std::string (*check_model)(const std::vector<std::pair<std::string, std::string>>& files,
                              const std::string& plugin);
   SimulationSummary (*simulate)(const std::string& model, const std::string& plugin,
-                                const MotionRequest& request, const RhythmOverride& rhythm,
+                                const MotionRequest& request, const RhythmChoice& rhythm,
                                 const TextSink& trace, const TextSink& controls,
                                 const PictureRequest& pictures, const ProgressSink& progress);
   RenderResult (*render)(const std::string& model, const std::string& plugin,
-                         const RenderRequest& request, const RhythmOverride& rhythm);
+                         const RenderRequest& request, const RhythmChoice& rhythm);
   /// Says what draws pictures here: `EGL device, llvmpipe (LLVM 15.0.6, 256 bits)`.
   std::string (*describe_renderer)();
   /// Returns where the ffmpeg is that makes videos; empty if there is none.
   std::string (*find_ffmpeg)();
   /// Holds the model's bones against `anatomy`, and its skin as it is on a girdle that moves so.
   VerifyResult (*verify)(const std::string& model, const std::string& plugin,
-                         const RhythmOverride& rhythm, const Anatomy& anatomy, GirdleMotion girdle,
+                         const RhythmChoice& rhythm, const Anatomy& anatomy, GirdleMotion girdle,
                          bool json, const ProgressSink& progress);
   /// Holds the girdle of any model against the measured rhythm, by default that of `girdle solve`.
   VerifyResult (*verify_mapped)(const MappedModel& mapped, const std::string& plugin,
-                                const RhythmOverride& rhythm, bool json,
+                                const RhythmChoice& rhythm, bool json,
                                 const ProgressSink& progress);
 };
 

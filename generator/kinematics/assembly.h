@@ -19,6 +19,7 @@ namespace girdle {
 
 enum class Assembly { kTree, kLoop };
 inline constexpr std::array<std::string_view, 2> kAssemblyNames = {"tree", "loop"};
+constexpr const auto& WordsOf(Assembly /*which*/) noexcept { return kAssemblyNames; }
 
 /// Which bone decides, in a loop, where the AC joint is.
 enum class Lead {
@@ -26,6 +27,7 @@ enum class Lead {
   kScapula,   ///< its place is driven; the clavicle's protraction and elevation follow
 };
 inline constexpr std::array<std::string_view, 2> kLeadNames = {"clavicle", "scapula"};
+constexpr const auto& WordsOf(Lead /*which*/) noexcept { return kLeadNames; }
 
 /// Stems of the scapula's coordinates on the thorax [rad]: internal rotation +, upward rotation -,
 /// posterior tilt +.

@@ -7,6 +7,29 @@
 #include <cmath>
 
 namespace girdle {
+namespace {
+
+// From the table's borders, where differences have no room.
+constexpr double kRoom_rad = 0.5 * kRadiansPerDegree;
+
+Direction Other(Direction direction) noexcept {
+  return direction == Direction::kElevation ? Direction::kPlane : Direction::kElevation;
+}
+
+std::vector<ArmCommand> OnInnerLines(const RhythmTable& table, Direction direction,
+                                     const std::vector<double>& places_rad) {
+  const std::vector<double>& lines_rad = KnotsAlong(table, direction);
+  std::vector<ArmCommand> crossings;
+  for (std::size_t i = 1; i + 1 < lines_rad.size(); ++i) {
+    for (const double place_rad : places_rad) {
+      crossings.push_back(direction == Direction::kElevation ? ArmCommand{lines_rad[i], place_rad}
+                                                             : ArmCommand{place_rad, lines_rad[i]});
+    }
+  }
+  return crossings;
+}
+
+}  // namespace
 
 ArmCommand MovedAlong(Direction direction, const ArmCommand& command, double step_rad) noexcept {
   ArmCommand moved = command;
@@ -23,20 +46,24 @@ std::vector<double> EvenSteps(double from_rad, double to_rad, double step_rad) {
   return values;
 }
 
+const std::vector<double>& KnotsAlong(const RhythmTable& table, Direction direction) noexcept {
+  return direction == Direction::kElevation ? table.elevations_rad() : table.planes_rad();
+}
+
 std::vector<ArmCommand> KnotCrossings(const RhythmTable& table, Direction direction) {
-  constexpr double kRoom_rad = 0.5 * kRadiansPerDegree;
-  const bool is_elevation = direction == Direction::kElevation;
-  const auto& lines_rad = is_elevation ? table.elevations_rad() : table.planes_rad();
-  const auto& along_rad = is_elevation ? table.planes_rad() : table.elevations_rad();
-  std::vector<ArmCommand> places;
-  for (std::size_t i = 1; i + 1 < lines_rad.size(); ++i) {
-    for (const double place_rad :
-         EvenSteps(along_rad.front() + kRoom_rad, along_rad.back() - kRoom_rad)) {
-      places.push_back(is_elevation ? ArmCommand{lines_rad[i], place_rad}
-                                    : ArmCommand{place_rad, lines_rad[i]});
-    }
+  const std::vector<double>& across_rad = KnotsAlong(table, Other(direction));
+  return OnInnerLines(table, direction,
+                      EvenSteps(across_rad.front() + kRoom_rad, across_rad.back() - kRoom_rad));
+}
+
+std::vector<ArmCommand> FewKnotCrossings(const RhythmTable& table, Direction direction) {
+  const std::vector<double>& across_rad = KnotsAlong(table, Other(direction));
+  std::vector<double> places_rad = {across_rad.front() + kRoom_rad};
+  for (std::size_t i = 1; i < across_rad.size(); ++i) {
+    places_rad.push_back((across_rad[i - 1] + across_rad[i]) / 2);
+    places_rad.push_back(i + 1 < across_rad.size() ? across_rad[i] : across_rad[i] - kRoom_rad);
   }
-  return places;
+  return OnInnerLines(table, direction, places_rad);
 }
 
 }  // namespace girdle

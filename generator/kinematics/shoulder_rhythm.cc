@@ -17,16 +17,6 @@
 namespace girdle {
 namespace {
 
-template <typename Enum, std::size_t N>
-std::optional<Enum> FromName(const std::array<std::string_view, N>& names,
-                             std::string_view name) noexcept {
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end()) {
-    return std::nullopt;
-  }
-  return static_cast<Enum>(found - names.begin());
-}
-
 double FiniteOrZero(double value) noexcept { return std::isfinite(value) ? value : 0; }
 
 Quaternion Plain(const QuaternionOf<double>& q) noexcept { return {q.w, q.x, q.y, q.z}; }
@@ -158,32 +148,6 @@ RhythmOptions WithRangeSaid(RhythmOptions options) {
 }
 
 }  // namespace
-
-std::optional<Interpolation> InterpolationFromName(std::string_view name) noexcept {
-  return FromName<Interpolation>(kInterpolationNames, name);
-}
-
-std::optional<Closure> ClosureFromName(std::string_view name) noexcept {
-  return FromName<Closure>(kClosureNames, name);
-}
-
-std::optional<Range> RangeFromName(std::string_view name) noexcept {
-  return FromName<Range>(kRangeNames, name);
-}
-
-std::string_view Name(Interpolation interpolation) noexcept {
-  return kInterpolationNames[static_cast<std::size_t>(interpolation)];
-}
-
-std::string_view Name(Closure closure) noexcept {
-  return kClosureNames[static_cast<std::size_t>(closure)];
-}
-
-std::string_view Name(Range range) noexcept { return kRangeNames[static_cast<std::size_t>(range)]; }
-
-std::string_view Name(Origin origin) noexcept {
-  return kOriginNames[static_cast<std::size_t>(origin)];
-}
 
 Range DefaultRange(Interpolation interpolation, Closure closure) noexcept {
   return interpolation == Interpolation::kSmooth && closure == Closure::kExact ? Range::kWhole

@@ -18,6 +18,7 @@
 #include "kinematics/shoulder_pose.h"
 #include "kinematics/smooth_rhythm.h"
 #include "kinematics/squad_rhythm.h"
+#include "kinematics/words.h"
 
 namespace girdle {
 
@@ -47,12 +48,9 @@ inline constexpr std::array<std::string_view, 3> kInterpolationNames = {"smooth"
 inline constexpr std::array<std::string_view, 2> kClosureNames = {"exact", "table"};
 inline constexpr std::array<std::string_view, 2> kRangeNames = {"whole", "clamp"};
 
-[[nodiscard]] std::optional<Interpolation> InterpolationFromName(std::string_view name) noexcept;
-[[nodiscard]] std::optional<Closure> ClosureFromName(std::string_view name) noexcept;
-[[nodiscard]] std::optional<Range> RangeFromName(std::string_view name) noexcept;
-[[nodiscard]] std::string_view Name(Interpolation interpolation) noexcept;
-[[nodiscard]] std::string_view Name(Closure closure) noexcept;
-[[nodiscard]] std::string_view Name(Range range) noexcept;
+constexpr const auto& WordsOf(Interpolation /*which*/) noexcept { return kInterpolationNames; }
+constexpr const auto& WordsOf(Closure /*which*/) noexcept { return kClosureNames; }
+constexpr const auto& WordsOf(Range /*which*/) noexcept { return kRangeNames; }
 
 /// The method as published is {kSquad, kTable}.
 struct RhythmOptions {
@@ -84,7 +82,7 @@ enum class Origin {
   kModelled,  ///< outside the table, by a rule
 };
 inline constexpr std::array<std::string_view, 3> kOriginNames = {"measured", "derived", "modelled"};
-[[nodiscard]] std::string_view Name(Origin origin) noexcept;
+constexpr const auto& WordsOf(Origin /*which*/) noexcept { return kOriginNames; }
 
 /// Result of the inverse kinematics. "Not reached" is part of it, not an error.
 struct ShoulderSolution {

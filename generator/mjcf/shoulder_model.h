@@ -32,9 +32,11 @@ enum class Actuation {
 };
 
 inline constexpr std::array<std::string_view, 2> kActuationNames = {"plugin", "position"};
+constexpr const auto& WordsOf(Actuation /*which*/) noexcept { return kActuationNames; }
 
 enum class Sides { kRight, kLeft, kBoth };
 inline constexpr std::array<std::string_view, 3> kSidesNames = {"right", "left", "both"};
+constexpr const auto& WordsOf(Sides /*which*/) noexcept { return kSidesNames; }
 
 /// The sides in the order in which a model has them.
 [[nodiscard]] std::vector<Side> SidesOf(Sides sides);

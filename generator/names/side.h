@@ -14,6 +14,7 @@
 #include <string_view>
 
 #include "kinematics/rotation.h"
+#include "kinematics/words.h"
 
 namespace girdle {
 
@@ -21,6 +22,7 @@ enum class Side { kRight, kLeft };
 
 /// Words for the sides and what their elements' names end in, in the order of the enumerators.
 inline constexpr std::array<std::string_view, 2> kSideNames = {"right", "left"};
+constexpr const auto& WordsOf(Side /*which*/) noexcept { return kSideNames; }
 inline constexpr std::array<std::string_view, 2> kSideSuffixes = {"_r", "_l"};
 
 /// Returns the name of one side's element: `scapula_r`.

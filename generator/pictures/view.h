@@ -42,6 +42,7 @@ enum class Show {
 };
 /// Words for them, in the order of the enumerators.
 inline constexpr std::array<std::string_view, 3> kShowNames = {"skin", "bones", "both"};
+constexpr const auto& WordsOf(Show /*which*/) noexcept { return kShowNames; }
 
 struct View {
   /// A camera of the model, or a word of kCameraWords.

@@ -229,10 +229,10 @@ class RhythmBinder {
   void CheckRates() {
     const auto first_rate = has_command_.begin() + kCommandCount + kOffsetCount;
     binding_.has_rates = std::any_of(first_rate, has_command_.end(), [](bool has) { return has; });
-    if (binding_.has_rates && config_.options.interpolation != Interpolation::kSmooth) {
+    if (binding_.has_rates && OptionsOf(config_.rhythm).interpolation != Interpolation::kSmooth) {
       throw std::runtime_error(
           "there are rate commands (elevation_rate and so on), and the interpolation is " +
-          std::string(Name(config_.options.interpolation)) +
+          std::string(Name(OptionsOf(config_.rhythm).interpolation)) +
           ", which has no rates. Remove them, or use the interpolation smooth");
     }
     if (binding_.has_rates && binding_.assembly == Assembly::kLoop) {

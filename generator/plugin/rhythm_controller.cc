@@ -28,7 +28,9 @@ bool IsNumber(const ArmCommand& command) noexcept {
 AssembledRhythm BoundRhythm(const RhythmConfig& config, const RhythmBinding& binding) {
   const JointRanges& ranges = binding.ranges;
   try {
-    return {ConfiguredRhythm(config, ranges), binding.assembly, {ranges[3], ranges[4], ranges[5]}};
+    return {MakeRhythm(Resolve(config.rhythm), ranges, "config: "),
+            binding.assembly,
+            {ranges[3], ranges[4], ranges[5]}};
   } catch (const std::invalid_argument& error) {
     throw std::runtime_error("st_ servos: " + std::string(error.what()));
   }

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -16,8 +17,8 @@
 #include "anatomy/built_in_anatomy.h"
 #include "anatomy/posed_bones.h"
 #include "kinematics/lengths.h"
+#include "kinematics/one_sided_difference.h"
 #include "kinematics/worst_case.h"
-#include "rhythm_tables/built_in_tables.h"
 #include "text/input_error.h"
 #include "text/number_text.h"
 
@@ -38,10 +39,20 @@ constexpr double kBelowHalf_percent = 5;
 constexpr double kAroundAc_m = 0.06;
 // Skin and what lies between it and the bone, of people of any size.
 constexpr double kDepth_mm = 3;
-// Squad is as smooth over elevation as published: what is left of slerp's jumps is its second
-// derivative over the step of the differences.
-constexpr double kSquadJump_percent = 1;
-constexpr double kSmoothJump_mm_per_deg = 1e-6;
+
+// Jumps of the AC skin's velocity. Differences of our own blend are of fourth order, a step of
+// 0.02 deg: they leave 5e-11 of smooth, and 2e-10 of squad over elevations (3e-9 at twice the
+// step). Of second order they would leave 3e-5 of squad, whose third derivative jumps.
+constexpr double kBlendedJump_mm_per_deg = 1e-6;
+// MuJoCo's vertices are rounded to single precision. Their differences take a step that leaves a
+// tenth of what passes, 1.1 deg at a man's shoulder: 0.001 was measured. Of third order they leave
+// 0.0003 of smooth and 0.0006 to 0.001 of squad besides (0.0001 at half the step), of second order
+// 0.07 of squad.
+constexpr double kDrawnJump_mm_per_deg = 0.01;
+constexpr double kNoiseShare = 0.1;
+// Of an adult. As published, squad has a corner at knots that are not evenly spaced: (8) and (9)
+// stretch every space to one length, and (5) takes it for that. Over plane 40 that is 0.13.
+constexpr double kUnevenSquadJump_mm_per_deg = 0.2;
 
 constexpr ArmCommand kLow = {30 * kRadiansPerDegree, 0};
 constexpr double kHigh_rad = 120 * kRadiansPerDegree;
@@ -49,9 +60,6 @@ constexpr double kHigh_rad = 120 * kRadiansPerDegree;
 // for squeezed skin: the others fold it in front of the joint, which no bone prevents.
 constexpr std::array<double, 3> kPlanes_rad = {0, 40 * kRadiansPerDegree, 90 * kRadiansPerDegree};
 constexpr double kGrid_rad = 15 * kRadiansPerDegree;
-
-// The skin over the AC joint.
-constexpr std::array<std::string_view, 2> kAcSkin = {kSkinAcName, kSkinAcromionName};
 
 double MmPerDegree(double m_per_rad) {
   return m_per_rad * kMillimetersPerMeter * kRadiansPerDegree;
@@ -85,36 +93,45 @@ double LargestDistance_m(const std::vector<Vector3>& a, const std::vector<Vector
   return largest_m;
 }
 
-// Adds the largest values of the AC skin, or of all landmarks.
-void AddTo(Extreme& extreme, const LandmarkLargest& largest, bool all, double factor,
-           const std::string& with) {
+// Adds the largest values of the AC skin, or of the other landmarks.
+void AddTo(Extreme& extreme, const LandmarkLargest& largest, bool is_ac_skin, double factor) {
   for (std::size_t k = 0; k < kSkinLandmarkCount; ++k) {
-    if (all || std::find(kAcSkin.begin(), kAcSkin.end(), kSkinLandmarkNames[k]) != kAcSkin.end()) {
-      extreme.Add(factor * largest[k].value(), std::string(kSkinLandmarkNames[k]) + with,
+    if (IsAcSkin(k) == is_ac_skin) {
+      extreme.Add(factor * largest[k].value(), std::string(kSkinLandmarkNames[k]),
                   largest[k].place());
     }
   }
 }
 
-// One of the interpolations as published, or smooth, on the table that it uses by default.
-struct Interpolated {
-  Interpolation interpolation;
-  ShoulderRhythm rhythm;
-  std::string table;  ///< for the report
+// Two neighbouring spaces of knots that are not alike.
+struct UnevenKnots {
+  double before_rad;
+  double behind_rad;
 };
 
-std::vector<Interpolated> InterpolatedRhythms() {
-  std::vector<Interpolated> rhythms;
-  for (const Interpolation interpolation :
-       {Interpolation::kSlerp, Interpolation::kSquad, Interpolation::kSmooth}) {
-    const RhythmOptions options =
-        interpolation == Interpolation::kSmooth
-            ? RhythmOptions{}
-            : RhythmOptions{interpolation, Closure::kTable, Range::kClamp};
-    rhythms.push_back({interpolation, BuiltInRhythm(options),
-                       ", table " + std::string(Name(DefaultTable(interpolation)))});
+// Knots that are read from a file in degrees are even up to rounding.
+std::optional<UnevenKnots> FirstUneven(const std::vector<double>& knots_rad) {
+  constexpr double kRounding_rad = 1e-9;
+  for (std::size_t i = 1; i + 1 < knots_rad.size(); ++i) {
+    const UnevenKnots spaces{knots_rad[i] - knots_rad[i - 1], knots_rad[i + 1] - knots_rad[i]};
+    if (std::abs(spaces.before_rad - spaces.behind_rad) > kRounding_rad) {
+      return spaces;
+    }
   }
-  return rhythms;
+  return std::nullopt;
+}
+
+double NarrowestSpace_rad(const std::vector<double>& knots_rad) {
+  double narrowest_rad = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < knots_rad.size(); ++i) {
+    narrowest_rad = std::min(narrowest_rad, knots_rad[i] - knots_rad[i - 1]);
+  }
+  return narrowest_rad;
+}
+
+std::string DegreesText(double angle_rad) {
+  constexpr int kDecimals = 1;
+  return RoundedText(DegreesFromRadians(angle_rad), kDecimals);
 }
 
 }  // namespace
@@ -151,9 +168,7 @@ void SkinMeter::CompareMoving(std::string_view motion, const ArmCommand& command
   moving_mm_.Add(OffBlend_mm(), motion, command);
 }
 
-// The whole way: joint angles in, MuJoCo's vertices out, against the pose that was meant.
-void SkinMeter::ComparePose(const ArmCommand& command) {
-  const ShoulderPose pose = PoseFor(command);
+std::vector<Vector3> SkinMeter::DrawnVerticesIn_m(const ShoulderPose& pose) {
   for (const ShoulderElements& shoulder : simulation_.shoulders()) {
     simulation_.PutAt(shoulder, pose);
   }
@@ -167,6 +182,26 @@ void SkinMeter::ComparePose(const ArmCommand& command) {
   for (Vector3& vertex_m : vertices_m) {
     vertex_m = q_TW * (vertex_m - p_WT);
   }
+  return vertices_m;
+}
+
+SkinLandmarkPlaces SkinMeter::DrawnIn_m(const ShoulderPose& pose) {
+  const std::vector<Vector3> vertices_m = DrawnVerticesIn_m(pose);
+  SkinLandmarkPlaces places;
+  for (std::size_t k = 0; k < kSkinLandmarkCount; ++k) {
+    places[k] = {0, 0, 0};
+    for (const int vertex : vertices_[k]) {
+      places[k] +=
+          vertices_m[static_cast<std::size_t>(vertex)] / static_cast<double>(vertices_[k].size());
+    }
+  }
+  return places;
+}
+
+// The whole way: joint angles in, MuJoCo's vertices out, against the pose that was meant.
+void SkinMeter::ComparePose(const ArmCommand& command) {
+  const ShoulderPose pose = PoseFor(command);
+  const std::vector<Vector3> vertices_m = DrawnVerticesIn_m(pose);
   posed_mm_.Add(kMillimetersPerMeter * LargestDistance_m(vertices_m, on_bones_.VerticesIn_m(pose)),
                 "pose", command);
   at_rest_mm_.Add(OffBlend_mm(), "pose", command);
@@ -190,7 +225,9 @@ std::vector<Residual> SkinMeter::Measure() {
   AddRises(lines);
   AddAreas(lines);
   AddSteps(lines);
-  AddJumps(lines);
+  for (const Direction direction : {Direction::kElevation, Direction::kPlane}) {
+    AddJumps(lines, direction);
+  }
   AddDepths(lines);
   return lines;
 }
@@ -261,51 +298,81 @@ void SkinMeter::AddSteps(std::vector<Residual>& lines) const {
     lines.push_back(step.Worst(kGroup, "step of " + std::string(kSkinLandmarkNames[k]), "mm/deg",
                                std::nullopt));
   }
-  for (const Interpolated& interpolated : InterpolatedRhythms()) {
-    const LandmarkLargest steps = LargestSteps_m(
-        landmarks_,
-        [&](const ArmCommand& command) { return OnGirdle(interpolated.rhythm.SolvePose(command)); },
-        interpolated.rhythm.table(), planes_rad);
-    Extreme step;
-    AddTo(step, steps, false, kMillimetersPerMeter, interpolated.table);
-    lines.push_back(step.Worst(kGroup,
-                               "step of AC skin, " + std::string(Name(interpolated.interpolation)),
-                               "mm/deg", std::nullopt));
-  }
 }
 
-void SkinMeter::AddJumps(std::vector<Residual>& lines) const {
-  const std::vector<Interpolated> rhythms = InterpolatedRhythms();
-  for (const Direction direction : {Direction::kElevation, Direction::kPlane}) {
-    const std::string over =
-        " over " + std::string(kDirectionNames[static_cast<std::size_t>(direction)]) + " knots, ";
-    double slerp = std::numeric_limits<double>::quiet_NaN();
-    for (const Interpolated& interpolated : rhythms) {
-      const bool is_smooth = interpolated.interpolation == Interpolation::kSmooth;
-      const LandmarkLargest jumps = LargestJumps_m_per_rad(
-          landmarks_,
-          [&](const ArmCommand& command) {
-            return OnGirdle(interpolated.rhythm.SolvePose(command));
-          },
-          interpolated.rhythm.table(), direction);
-      Extreme jump;
-      AddTo(jump, jumps, is_smooth, MmPerDegree(1), interpolated.table);
-      const std::string item = (is_smooth ? "jump of all landmarks" : "jump of AC skin") + over +
-                               std::string(Name(interpolated.interpolation));
-      lines.push_back(jump.Worst(kGroup, item, "mm/deg",
-                                 is_smooth ? std::optional(kSmoothJump_mm_per_deg) : std::nullopt));
-      if (interpolated.interpolation == Interpolation::kSlerp) {
-        slerp = jump.worst();
-      }
-      if (interpolated.interpolation == Interpolation::kSquad) {
-        Residual ratio = jump.Worst(
-            kGroup, item + " of slerp's", "%",
-            direction == Direction::kElevation ? std::optional(kSquadJump_percent) : std::nullopt);
-        ratio.value = kPercent * jump.worst() / slerp;
-        lines.push_back(std::move(ratio));
+SkinMeter::DrawnDifference SkinMeter::DifferenceOfDrawn(Direction direction) {
+  // Where the AC skin is when the arm is low: it moves by centimeters from there.
+  static_cast<void>(DrawnVerticesIn_m(PoseFor(kLow)));
+  const std::vector<Vector3> vertices_m = skin_.VerticesInWorld_m(simulation_.data());
+  double distance_m = 0;
+  for (std::size_t k = 0; k < kSkinLandmarkCount; ++k) {
+    for (const int vertex : vertices_[k]) {
+      if (IsAcSkin(k)) {
+        distance_m =
+            std::max(distance_m, glm::length(vertices_m[static_cast<std::size_t>(vertex)]));
       }
     }
   }
+  // Half of the last place of a number of that size.
+  const double rounding_m = distance_m * std::numeric_limits<float>::epsilon() / 2;
+  // By how much [mm/deg] a jump is wrong at most, times the step [rad]: its values are those of
+  // both sides, and the one between with the sum of all weights.
+  double sum = 0;
+  double magnitudes = 0;
+  for (const double weight : kOneSidedFirstOfCoarse) {
+    sum += weight;
+    magnitudes += std::abs(weight);
+  }
+  const double noise_by_step = MmPerDegree(2 * (magnitudes + std::abs(sum)) * rounding_m);
+  const double wanted_rad = noise_by_step / (kNoiseShare * kDrawnJump_mm_per_deg);
+  const double room_rad = NarrowestSpace_rad(KnotsAlong(rhythm_.rhythm().table(), direction)) /
+                          static_cast<double>(kOneSidedFirstOfCoarse.size());
+  if (wanted_rad <= room_rad) {
+    return {wanted_rad, kDrawnJump_mm_per_deg};
+  }
+  return {room_rad, noise_by_step / room_rad / kNoiseShare};
+}
+
+void SkinMeter::AddJumps(std::vector<Residual>& lines, Direction direction) {
+  const RhythmTable& table = rhythm_.rhythm().table();
+  const std::string over = " over " + std::string(Name(direction)) + " knots, ";
+  const auto add = [&](const std::string& skin, const std::string& vertices,
+                       const LandmarkLargest& jumps, std::optional<double> tolerance) {
+    Extreme jump;
+    AddTo(jump, jumps, tolerance.has_value(), MmPerDegree(1));
+    lines.push_back(jump.Worst(kGroup, "jump of " + skin + over + vertices, "mm/deg", tolerance));
+    if (KnotsAlong(table, direction).size() < 3) {
+      // Holds by construction: nothing was crossed.
+      lines.back().tolerance = std::nullopt;
+      lines.back().where = "the table has no inner knots";
+    }
+  };
+  const std::optional<UnevenKnots> uneven = FirstUneven(KnotsAlong(table, direction));
+  const bool has_own_bound =
+      uneven && rhythm_.rhythm().options().interpolation == Interpolation::kSquad;
+  const auto add_ac_skin = [&](const std::string& vertices, const LandmarkLargest& jumps,
+                               double tolerance) {
+    add("AC skin", vertices, jumps,
+        has_own_bound ? std::max(tolerance, size_ * kUnevenSquadJump_mm_per_deg) : tolerance);
+    if (has_own_bound) {
+      lines.back().where += std::string("; squad is not C1 here: ") +
+                            (direction == Direction::kElevation ? "(8)" : "(9)") +
+                            " spaces knots " + DegreesText(uneven->before_rad) + " and " +
+                            DegreesText(uneven->behind_rad) + " deg apart, (5) assumes even ones";
+    }
+  };
+
+  const DrawnDifference drawn = DifferenceOfDrawn(direction);
+  add_ac_skin(
+      "MuJoCo",
+      LargestJumps_m_per_rad(
+          [this](const ArmCommand& command) { return DrawnIn_m(PoseFor(command)); }, direction,
+          FewKnotCrossings(table, direction), {kOneSidedFirstOfCoarse, drawn.step_rad}),
+      drawn.tolerance_mm_per_deg);
+  const LandmarkLargest blended = LargestJumps_m_per_rad(
+      landmarks_, [this](const ArmCommand& command) { return PoseFor(command); }, table, direction);
+  add_ac_skin("linear blend", blended, kBlendedJump_mm_per_deg);
+  add("other landmarks", "linear blend", blended, std::nullopt);
 }
 
 void SkinMeter::AddDepths(std::vector<Residual>& lines) const {

@@ -43,13 +43,27 @@ class SkinMeter {
   [[nodiscard]] ShoulderPose OnGirdle(const ShoulderPose& pose) const;
   [[nodiscard]] ShoulderPose PoseFor(const ArmCommand& command) const;
 
+  /// Puts the bones into a pose and returns MuJoCo's vertices there, in the thorax frame [m].
+  [[nodiscard]] std::vector<Vector3> DrawnVerticesIn_m(const ShoulderPose& pose);
+  /// The landmarks of those vertices, each the mean of its own.
+  [[nodiscard]] SkinLandmarkPlaces DrawnIn_m(const ShoulderPose& pose);
+
   /// How far MuJoCo's vertices are from the blend where the simulation stands; the largest.
   [[nodiscard]] double OffBlend_mm() const;
   void ComparePose(const ArmCommand& command);
+  /// How MuJoCo's vertices are differentiated across knots, and what passes then.
+  struct DrawnDifference {
+    double step_rad;
+    double tolerance_mm_per_deg;
+  };
+  /// The noise of single precision, where the AC skin is, is a tenth of the tolerance. Where knots
+  /// are too close for the step that this needs, the tolerance is larger.
+  [[nodiscard]] DrawnDifference DifferenceOfDrawn(Direction direction);
+
   void AddRises(std::vector<Residual>& lines) const;
   void AddAreas(std::vector<Residual>& lines) const;
   void AddSteps(std::vector<Residual>& lines) const;
-  void AddJumps(std::vector<Residual>& lines) const;
+  void AddJumps(std::vector<Residual>& lines, Direction direction);
   void AddDepths(std::vector<Residual>& lines) const;
 
   ShoulderSimulation& simulation_;

@@ -3,27 +3,15 @@
 
 #include "rhythm_tables/built_in_tables.h"
 
-#include <algorithm>
 #include <sstream>
 #include <string>
 
 #include "anatomy/built_in_anatomy.h"
 #include "rhythm_tables/built_in_files.h"
+#include "rhythm_tables/rhythm_choice.h"
 #include "rhythm_tables/rhythm_table_csv.h"
 
 namespace girdle {
-
-std::optional<BuiltInTable> BuiltInTableFromName(std::string_view name) noexcept {
-  const auto found = std::find(kBuiltInTableNames.begin(), kBuiltInTableNames.end(), name);
-  if (found == kBuiltInTableNames.end()) {
-    return std::nullopt;
-  }
-  return static_cast<BuiltInTable>(found - kBuiltInTableNames.begin());
-}
-
-std::string_view Name(BuiltInTable table) noexcept {
-  return kBuiltInTableNames[static_cast<std::size_t>(table)];
-}
 
 BuiltInTable DefaultTable(Interpolation interpolation) noexcept {
   return interpolation == Interpolation::kSmooth ? BuiltInTable::kDestepped
@@ -39,8 +27,8 @@ RhythmTable BuiltInRhythmTable(BuiltInTable table) {
 }
 
 ShoulderRhythm BuiltInRhythm(const RhythmOptions& options) {
-  return ShoulderRhythm(BuiltInRhythmTable(DefaultTable(options.interpolation)), options,
-                        BuiltInAnatomy().ranges);
+  return MakeRhythm(Resolve({options.interpolation, options.closure, options.range}),
+                    BuiltInAnatomy().ranges);
 }
 
 }  // namespace girdle

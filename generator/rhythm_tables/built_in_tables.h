@@ -5,7 +5,6 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <string_view>
 
 #include "kinematics/shoulder_rhythm.h"
@@ -20,8 +19,7 @@ enum class BuiltInTable {
 /// Words for the tables, in the order of the enumerators.
 inline constexpr std::array<std::string_view, 2> kBuiltInTableNames = {"measured", "destepped"};
 
-[[nodiscard]] std::optional<BuiltInTable> BuiltInTableFromName(std::string_view name) noexcept;
-[[nodiscard]] std::string_view Name(BuiltInTable table) noexcept;
+constexpr const auto& WordsOf(BuiltInTable /*which*/) noexcept { return kBuiltInTableNames; }
 
 /// The table that an interpolation uses unless told otherwise. Smooth: the de-stepped one, because
 /// a curve with continuous second derivatives through the measured rows swings where people dropped
@@ -34,7 +32,7 @@ inline constexpr std::array<std::string_view, 2> kBuiltInTableNames = {"measured
 [[nodiscard]] RhythmTable BuiltInRhythmTable(BuiltInTable table);
 
 /// Returns the rhythm of a built-in table, the interpolation's default one, in the joint ranges of
-/// the built-in anatomy.
+/// the built-in anatomy. Throws InputError if the options do not go together.
 [[nodiscard]] ShoulderRhythm BuiltInRhythm(const RhythmOptions& options = {});
 
 }  // namespace girdle

@@ -7,11 +7,10 @@
 #include <sstream>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "names/joint_dynamics.h"
-#include "rhythm_tables/built_in_tables.h"
-#include "rhythm_tables/rhythm_table_csv.h"
 #include "text/number_text.h"
 
 namespace girdle {
@@ -30,28 +29,14 @@ std::string OneOf(const std::array<std::string_view, N>& names) {
   throw std::runtime_error(std::string(key) + " is \"" + value + "\", expected " + fix);
 }
 
-// Sets `chosen` to the value of a word, if one is given.
-template <typename Chosen, typename FromName, std::size_t N>
-void Choose(const char* key, const std::string& word, const FromName& from_name,
-            const std::array<std::string_view, N>& known, Chosen& chosen) {
-  if (word.empty()) {
-    return;
+// Returns the value of a word; nothing if none is given.
+template <HasWords Enumeration>
+std::optional<Enumeration> Chosen(const char* key, const std::string& word) {
+  const std::optional<Enumeration> value = FromName<Enumeration>(word);
+  if (!value && !word.empty()) {
+    Fail(key, word, OneOf(WordsOf(Enumeration{})));
   }
-  const auto value = from_name(word);
-  if (!value) {
-    Fail(key, word, OneOf(known));
-  }
-  chosen = *value;
-}
-
-RhythmTable ParseTable(const std::string& text, Interpolation interpolation) {
-  if (text.empty()) {
-    return BuiltInRhythmTable(DefaultTable(interpolation));
-  }
-  if (const auto built_in = BuiltInTableFromName(text)) {
-    return BuiltInRhythmTable(*built_in);
-  }
-  return RhythmTableFromLine(text, "config key \"" + std::string(kTableKey) + "\"");
+  return value;
 }
 
 std::array<double, kCoordinateCount> ParseStiffness(const std::string& text) {
@@ -77,27 +62,18 @@ std::array<double, kCoordinateCount> ParseStiffness(const std::string& text) {
   return stiffness;
 }
 
-std::optional<Side> SideFromName(std::string_view name) {
-  const auto found = std::find(kSideNames.begin(), kSideNames.end(), name);
-  return found == kSideNames.end() ? std::nullopt
-                                   : std::optional(static_cast<Side>(found - kSideNames.begin()));
-}
-
 }  // namespace
 
 RhythmConfig ParseRhythmConfig(const RhythmConfigText& text) {
-  RhythmOptions options;
-  Choose(kInterpolationKey, text.interpolation, InterpolationFromName, kInterpolationNames,
-         options.interpolation);
-  Choose(kClosureKey, text.closure, ClosureFromName, kClosureNames, options.closure);
-  Choose(kRangeKey, text.range, RangeFromName, kRangeNames, options.range);
+  RhythmChoice rhythm{Chosen<Interpolation>(kInterpolationKey, text.interpolation),
+                      Chosen<Closure>(kClosureKey, text.closure),
+                      Chosen<Range>(kRangeKey, text.range)};
   std::array<double, kCoordinateCount> stiffness{};
   stiffness.fill(kDefaultStiffness_N_m_per_rad);
   if (!text.stiffness.empty()) {
     stiffness = ParseStiffness(text.stiffness);
   }
-  Side side = Side::kRight;
-  Choose(kSideKey, text.side, SideFromName, kSideNames, side);
+  const Side side = Chosen<Side>(kSideKey, text.side).value_or(Side::kRight);
   double translation_stiffness_N_per_m = kLeadingTranslation.stiffness_N_per_m;
   if (!text.translation_stiffness.empty()) {
     const std::optional<double> number = FiniteNumber(text.translation_stiffness);
@@ -106,16 +82,10 @@ RhythmConfig ParseRhythmConfig(const RhythmConfigText& text) {
     }
     translation_stiffness_N_per_m = *number;
   }
-  return {ParseTable(text.table, options.interpolation), options, stiffness, side,
-          translation_stiffness_N_per_m};
-}
-
-ShoulderRhythm ConfiguredRhythm(const RhythmConfig& config, const JointRanges& ranges) {
-  try {
-    return ShoulderRhythm(config.table, config.options, ranges);
-  } catch (const std::invalid_argument& error) {
-    throw std::runtime_error("config: " + std::string(error.what()));
+  if (!text.table.empty()) {
+    rhythm.table = TableFromWordOrLine(text.table, "config key \"" + std::string(kTableKey) + "\"");
   }
+  return {std::move(rhythm), stiffness, side, translation_stiffness_N_per_m};
 }
 
 }  // namespace girdle

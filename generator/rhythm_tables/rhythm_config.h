@@ -7,8 +7,8 @@
 #include <array>
 #include <string>
 
-#include "kinematics/shoulder_rhythm.h"
 #include "names/model_names.h"
+#include "rhythm_tables/rhythm_choice.h"
 
 namespace girdle {
 
@@ -24,8 +24,7 @@ struct RhythmConfigText {
 };
 
 struct RhythmConfig {
-  RhythmTable table;
-  RhythmOptions options;
+  RhythmChoice rhythm;
   std::array<double, kCoordinateCount> stiffness_N_m_per_rad;  ///< in the order of kCoordinateNames
   Side side = Side::kRight;
   double translation_stiffness_N_per_m = 0;
@@ -34,10 +33,5 @@ struct RhythmConfig {
 /// Returns the validated configuration. Throws std::runtime_error that names key, value and the
 /// fix.
 [[nodiscard]] RhythmConfig ParseRhythmConfig(const RhythmConfigText& text);
-
-/// Returns the rhythm of a configuration, in the joint ranges of a model. Throws std::runtime_error
-/// if the options do not go together or the table is too small for them.
-[[nodiscard]] ShoulderRhythm ConfiguredRhythm(const RhythmConfig& config,
-                                              const JointRanges& ranges);
 
 }  // namespace girdle

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <sstream>
 #include <string_view>
 #include <vector>
@@ -13,7 +12,6 @@
 #include "text/csv.h"
 #include "text/input_error.h"
 #include "text/number_text.h"
-#include "text/text_file.h"
 
 namespace girdle {
 namespace {
@@ -220,17 +218,6 @@ RhythmTable ReadRhythmTable(std::istream& in, const std::string& name) {
              csv.NumberWithin(elevation_column, 0, kHalfCircle_deg), position);
   }
   return grid.Finish(csv);
-}
-
-ShoulderRhythm ReadShoulderRhythm(const std::string& path, const RhythmOptions& options,
-                                  const JointRanges& ranges) {
-  std::ifstream in = OpenTextFile(path);
-  RhythmTable table = ReadRhythmTable(in, path);
-  try {
-    return ShoulderRhythm(std::move(table), options, ranges);
-  } catch (const std::invalid_argument& error) {
-    throw InputError(path + ": " + error.what());
-  }
 }
 
 std::string RhythmTableToCsv(const RhythmTable& table, const std::vector<std::string>& comments,

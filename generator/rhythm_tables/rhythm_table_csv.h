@@ -22,11 +22,6 @@ namespace girdle {
 /// Reads and validates a table. Throws InputError with file, line, value and expectation.
 [[nodiscard]] RhythmTable ReadRhythmTable(std::istream& in, const std::string& name);
 
-/// Returns the rhythm of a table in a file. Throws InputError.
-[[nodiscard]] ShoulderRhythm ReadShoulderRhythm(const std::string& path,
-                                                const RhythmOptions& options,
-                                                const JointRanges& ranges);
-
 /// Returns the table as a file that ReadRhythmTable reads: `comments`, each a line that begins with
 /// `#`, the header, the rows. Angles are rounded to `decimals` places of a degree, so that the text
 /// does not depend on a machine's last digits; planes and elevations keep all of theirs.

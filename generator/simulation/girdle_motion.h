@@ -16,5 +16,6 @@ enum class GirdleMotion {
 };
 /// Words for them, in the order of the enumerators.
 inline constexpr std::array<std::string_view, 2> kGirdleMotionNames = {"measured", "frozen"};
+constexpr const auto& WordsOf(GirdleMotion /*which*/) noexcept { return kGirdleMotionNames; }
 
 }  // namespace girdle

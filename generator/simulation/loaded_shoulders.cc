@@ -82,16 +82,21 @@ void LoadedShoulders::Watch(Side side) {
                    " shoulder. Make one that has with girdle generate --side");
 }
 
-AssembledRhythm OwnRhythm(const LoadedShoulders& shoulders) {
-  RhythmConfigText text;
-  if (shoulders.has_plugin()) {
-    text.interpolation = OwnConfigText(shoulders, kInterpolationKey);
-    text.closure = OwnConfigText(shoulders, kClosureKey);
-    text.range = OwnConfigText(shoulders, kRangeKey);
-    text.table = OwnConfigText(shoulders, kTableKey);
+RhythmChoice OwnChoice(const LoadedShoulders& shoulders) {
+  if (!shoulders.has_plugin()) {
+    return {};
   }
+  RhythmConfigText text;
+  text.interpolation = OwnConfigText(shoulders, kInterpolationKey);
+  text.closure = OwnConfigText(shoulders, kClosureKey);
+  text.range = OwnConfigText(shoulders, kRangeKey);
+  text.table = OwnConfigText(shoulders, kTableKey);
+  return ParseRhythmConfig(text).rhythm;
+}
+
+AssembledRhythm OwnRhythm(const LoadedShoulders& shoulders) {
   const JointRanges& ranges = shoulders.ranges();
-  return {ConfiguredRhythm(ParseRhythmConfig(text), ranges),
+  return {MakeRhythm(Resolve(OwnChoice(shoulders)), ranges),
           shoulders.elements().assembly,
           {ranges[3], ranges[4], ranges[5]}};
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "kinematics/assembled_rhythm.h"
+#include "rhythm_tables/rhythm_choice.h"
 #include "simulation/engine.h"
 #include "simulation/shoulder_elements.h"
 
@@ -54,8 +55,11 @@ class LoadedShoulders {
   JointAngles stiffness_N_m_per_rad_;
 };
 
-/// Returns the rhythm that the model says it uses, that of the shoulder that is watched. Position
-/// servos say nothing: theirs is the default one.
+/// Returns what the model says of the rhythm of the shoulder that is watched. Position servos say
+/// nothing.
+[[nodiscard]] RhythmChoice OwnChoice(const LoadedShoulders& shoulders);
+
+/// Returns the rhythm that OwnChoice stands for, as the assembly of the model follows it.
 [[nodiscard]] AssembledRhythm OwnRhythm(const LoadedShoulders& shoulders);
 
 }  // namespace girdle

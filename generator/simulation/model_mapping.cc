@@ -101,12 +101,12 @@ class MappingReader {
     if (has_side_) {
       FailTwice();
     }
-    const auto side = IndexOf(kSideNames, csv_.Field(name_));
+    const auto side = FromName<Side>(csv_.Field(name_));
     if (!side) {
       csv_.Fail("side " + Quoted(csv_.Field(name_)) + " is not known. Choose right or left");
     }
     ExpectOnly({});
-    mapping_.side = static_cast<Side>(*side);
+    mapping_.side = *side;
     has_side_ = true;
   }
 

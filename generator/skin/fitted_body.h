@@ -6,8 +6,10 @@
 /// The body is not bent to fit the bones: rhythms are angles, lengths are the person's own.
 #pragma once
 
+#include <array>
 #include <istream>
 #include <string>
+#include <string_view>
 
 #include "anatomy/postures.h"
 #include "kinematics/shoulder_rhythm.h"
@@ -40,6 +42,9 @@ struct MakeHumanFit {
 [[nodiscard]] MakeHumanFit BuiltInMakeHumanFit();
 
 enum class Head { kKept, kCut };
+/// Words for it, in the order of the enumerators.
+inline constexpr std::array<std::string_view, 2> kHeadNames = {"keep", "cut"};
+constexpr const auto& WordsOf(Head /*which*/) noexcept { return kHeadNames; }
 
 /// An upper body with bones, and the shares that an artist gave the bones in its skin.
 struct FittedBody {

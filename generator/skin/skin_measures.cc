@@ -34,18 +34,17 @@ std::vector<SkinBone> BonesNamed(const std::vector<BoundBone>& bones) {
   return named;
 }
 
-// Velocities [m/rad] at a command, from the side that `step_rad` points to.
-SkinLandmarkPlaces OneSidedVelocities(const LandmarkSkin& landmarks, const PoseFunction& pose,
-                                      Direction direction, const ArmCommand& command,
-                                      double step_rad) {
-  const SkinLandmarkPlaces origin_m = landmarks.In_m(pose(command));
+// Velocities [m/rad] at a command, from the side that the step points to.
+SkinLandmarkPlaces OneSidedVelocities(const LandmarkFunction& landmarks, Direction direction,
+                                      const ArmCommand& command, const SkinLandmarkPlaces& origin_m,
+                                      const SkinDifference& difference) {
   SkinLandmarkPlaces velocities;
   velocities.fill({0, 0, 0});
-  for (std::size_t i = 0; i < kOneSidedFirst.size(); ++i) {
+  for (std::size_t i = 0; i < difference.weights.size(); ++i) {
     const SkinLandmarkPlaces there_m =
-        landmarks.In_m(pose(MovedAlong(direction, command, static_cast<double>(i + 1) * step_rad)));
+        landmarks(MovedAlong(direction, command, static_cast<double>(i + 1) * difference.step_rad));
     for (std::size_t k = 0; k < kSkinLandmarkCount; ++k) {
-      velocities[k] += kOneSidedFirst[i] / step_rad * (there_m[k] - origin_m[k]);
+      velocities[k] += difference.weights[i] / difference.step_rad * (there_m[k] - origin_m[k]);
     }
   }
   return velocities;
@@ -209,17 +208,27 @@ LandmarkLargest LargestSteps_m(const LandmarkSkin& landmarks, const PoseFunction
   return largest;
 }
 
-LandmarkLargest LargestJumps_m_per_rad(const LandmarkSkin& landmarks, const PoseFunction& pose,
-                                       const RhythmTable& table, Direction direction) {
+LandmarkLargest LargestJumps_m_per_rad(const LandmarkFunction& landmarks, Direction direction,
+                                       const std::vector<ArmCommand>& places,
+                                       const SkinDifference& difference) {
+  const SkinDifference backwards{difference.weights, -difference.step_rad};
   LandmarkLargest largest;
-  for (const ArmCommand& place : KnotCrossings(table, direction)) {
-    const auto before = OneSidedVelocities(landmarks, pose, direction, place, -kOneSidedStep_rad);
-    const auto behind = OneSidedVelocities(landmarks, pose, direction, place, kOneSidedStep_rad);
+  for (const ArmCommand& place : places) {
+    const SkinLandmarkPlaces origin_m = landmarks(place);
+    const auto before = OneSidedVelocities(landmarks, direction, place, origin_m, backwards);
+    const auto behind = OneSidedVelocities(landmarks, direction, place, origin_m, difference);
     for (std::size_t k = 0; k < kSkinLandmarkCount; ++k) {
       largest[k].Add(glm::distance(before[k], behind[k]), place);
     }
   }
   return largest;
+}
+
+LandmarkLargest LargestJumps_m_per_rad(const LandmarkSkin& landmarks, const PoseFunction& pose,
+                                       const RhythmTable& table, Direction direction) {
+  return LargestJumps_m_per_rad(
+      [&](const ArmCommand& command) { return landmarks.In_m(pose(command)); }, direction,
+      KnotCrossings(table, direction), {kOneSidedFirst, kOneSidedStep_rad});
 }
 
 LandmarkDepths LandmarkDepths_m(const SkinOnBones& skin, const ShoulderPose& pose, Side side) {

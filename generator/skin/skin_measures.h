@@ -5,6 +5,8 @@
 #pragma once
 
 #include <array>
+#include <functional>
+#include <span>
 #include <vector>
 
 #include "kinematics/knot_crossings.h"
@@ -50,6 +52,13 @@ class SkinOnBones {
 /// Places [m] of the skin's landmarks in the order of kSkinLandmarkNames, thorax frame.
 using SkinLandmarkPlaces = std::array<Vector3, kSkinLandmarkCount>;
 
+/// Returns whether a landmark, counted as in kSkinLandmarkNames, is of the skin over the AC joint:
+/// that over its centre and that over the acromion's tip.
+[[nodiscard]] constexpr bool IsAcSkin(std::size_t landmark) noexcept {
+  return kSkinLandmarkNames[landmark] == kSkinAcName ||
+         kSkinLandmarkNames[landmark] == kSkinAcromionName;
+}
+
 /// The landmarks of one side's skin, without the rest of it.
 class LandmarkSkin {
  public:
@@ -92,6 +101,23 @@ using LandmarkLargest = std::array<WorstCase<ArmCommand>, kSkinLandmarkCount>;
 [[nodiscard]] LandmarkLargest LargestSteps_m(const LandmarkSkin& landmarks,
                                              const PoseFunction& pose, const RhythmTable& table,
                                              const std::vector<double>& planes_rad);
+
+/// Where the landmarks are for a command.
+using LandmarkFunction = std::function<SkinLandmarkPlaces(const ArmCommand& command)>;
+
+/// How velocities on one side of a place are taken: from so many values, a step apart
+/// (kinematics/one_sided_difference.h).
+struct SkinDifference {
+  std::span<const double> weights;
+  double step_rad;
+};
+
+/// Returns by how much [m/rad] landmarks' velocities, with respect to what is moved along the
+/// direction, jump at most over some places.
+[[nodiscard]] LandmarkLargest LargestJumps_m_per_rad(const LandmarkFunction& landmarks,
+                                                     Direction direction,
+                                                     const std::vector<ArmCommand>& places,
+                                                     const SkinDifference& difference);
 
 /// Returns by how much [m/rad] landmarks' velocities, with respect to what is moved along the
 /// direction, jump at most over the table's inner knot lines: one-sided differences before and

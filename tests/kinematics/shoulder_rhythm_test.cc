@@ -623,9 +623,9 @@ TEST(ShoulderRhythm, ClampsWhereThereIsNoRuleOutsideTheTable) {
 }
 
 TEST(InterpolationNames, LeadBackToTheirInterpolation) {
-  EXPECT_EQ(InterpolationFromName("smooth"), Interpolation::kSmooth);
-  EXPECT_EQ(InterpolationFromName("squad"), Interpolation::kSquad);
-  EXPECT_EQ(InterpolationFromName("slerp"), Interpolation::kSlerp);
+  EXPECT_EQ(FromName<Interpolation>("smooth"), Interpolation::kSmooth);
+  EXPECT_EQ(FromName<Interpolation>("squad"), Interpolation::kSquad);
+  EXPECT_EQ(FromName<Interpolation>("slerp"), Interpolation::kSlerp);
   EXPECT_EQ(Name(Interpolation::kSmooth), "smooth");
   EXPECT_EQ(Name(Interpolation::kSquad), "squad");
   EXPECT_EQ(Name(Interpolation::kSlerp), "slerp");
@@ -633,33 +633,33 @@ TEST(InterpolationNames, LeadBackToTheirInterpolation) {
 
 TEST(InterpolationNames, HaveNoOther) {
   for (const char* const name : {"", "Squad", "squad ", "linear"}) {
-    EXPECT_EQ(InterpolationFromName(name), std::nullopt) << name;
+    EXPECT_EQ(FromName<Interpolation>(name), std::nullopt) << name;
   }
 }
 
 TEST(ClosureNames, LeadBackToTheirClosure) {
-  EXPECT_EQ(ClosureFromName("exact"), Closure::kExact);
-  EXPECT_EQ(ClosureFromName("table"), Closure::kTable);
+  EXPECT_EQ(FromName<Closure>("exact"), Closure::kExact);
+  EXPECT_EQ(FromName<Closure>("table"), Closure::kTable);
   EXPECT_EQ(Name(Closure::kExact), "exact");
   EXPECT_EQ(Name(Closure::kTable), "table");
 }
 
 TEST(ClosureNames, HaveNoOther) {
   for (const char* const name : {"", "Table", "exactly"}) {
-    EXPECT_EQ(ClosureFromName(name), std::nullopt) << name;
+    EXPECT_EQ(FromName<Closure>(name), std::nullopt) << name;
   }
 }
 
 TEST(RangeNames, LeadBackToTheirRange) {
-  EXPECT_EQ(RangeFromName("whole"), Range::kWhole);
-  EXPECT_EQ(RangeFromName("clamp"), Range::kClamp);
+  EXPECT_EQ(FromName<Range>("whole"), Range::kWhole);
+  EXPECT_EQ(FromName<Range>("clamp"), Range::kClamp);
   EXPECT_EQ(Name(Range::kWhole), "whole");
   EXPECT_EQ(Name(Range::kClamp), "clamp");
 }
 
 TEST(RangeNames, HaveNoOther) {
   for (const char* const name : {"", "Whole", "clamped"}) {
-    EXPECT_EQ(RangeFromName(name), std::nullopt) << name;
+    EXPECT_EQ(FromName<Range>(name), std::nullopt) << name;
   }
 }
 

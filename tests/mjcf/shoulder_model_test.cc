@@ -579,10 +579,10 @@ TEST_P(ChosenRhythm, IsTheOneThatTheModelSays) {
   const ShoulderRhythm rhythm(BuiltInRhythmTable(table.value_or(BuiltInTable::kMeasured)), options,
                               BuiltIn().ranges);
   const RhythmConfig config = ConfigOf(ParsedXml(Xml(rhythm, {.table = table})));
-  EXPECT_EQ(config.options.interpolation, options.interpolation);
-  EXPECT_EQ(config.options.closure, options.closure);
-  EXPECT_EQ(config.options.range, rhythm.options().range);
-  EXPECT_EQ(RhythmTableToLine(config.table), RhythmTableToLine(rhythm.table()));
+  EXPECT_EQ(config.rhythm.interpolation, options.interpolation);
+  EXPECT_EQ(config.rhythm.closure, options.closure);
+  EXPECT_EQ(config.rhythm.range, rhythm.options().range);
+  EXPECT_EQ(RhythmTableToLine(Resolve(config.rhythm).table), RhythmTableToLine(rhythm.table()));
 }
 
 INSTANTIATE_TEST_SUITE_P(

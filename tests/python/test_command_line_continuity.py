@@ -123,6 +123,119 @@ def test_unless_told_otherwise_the_measured_tables_jumps_are_shown(
     assert measure("--table", "destepped")["jumps"] != measure()["jumps"]
 
 
+# --- On a skin -----------------------------------------------------------------------------------
+
+SKIN = ("--skin", "implicit")
+# Differences of places in double precision are good to this (mm/deg).
+ROUNDING_MM = 1e-6
+
+
+def skin_jumps(answer: Answer, figure: str) -> dict[tuple[str, str], float]:
+    return {(row["interpolation"], row["over"]): row[figure] for row in answer["skin"]["jumps"]}
+
+
+def test_every_interpolation_is_measured_on_the_same_skin(measure: Measure) -> None:
+    skin = measure(*SKIN)["skin"]
+    interpolations = ["slerp", "squad", "smooth"]
+    assert [(row["interpolation"], row["over"]) for row in skin["jumps"]] == [
+        (interpolation, over)
+        for interpolation in interpolations
+        for over in ("elevation", "plane")
+    ]
+    assert [row["interpolation"] for row in skin["steps"]] == interpolations
+    for row in (*skin["jumps"], *skin["steps"]):
+        assert row["where"].startswith(("skin_ac, elevation ", "skin_acromion, elevation "))
+        assert row["ac_skin_mm_per_deg"] > 0
+
+
+def test_squads_jump_of_the_skin_over_elevation_is_no_hundredth_of_slerps(
+    measure: Measure,
+) -> None:
+    """Squad is as smooth over elevation as published; what is left is rounding."""
+    found = skin_jumps(measure(*SKIN), "ac_skin_mm_per_deg")
+    assert found["slerp", "elevation"] > 0.5
+    assert found["squad", "elevation"] < 0.01 * found["slerp", "elevation"]
+    assert found["squad", "elevation"] < ROUNDING_MM
+
+
+def test_squad_and_slerp_jump_in_the_skin_over_plane_and_smooth_nowhere(measure: Measure) -> None:
+    for figure in ("ac_skin_mm_per_deg", "all_mm_per_deg"):
+        found = skin_jumps(measure(*SKIN), figure)
+        assert 0.05 < found["squad", "plane"] < found["slerp", "plane"]
+        assert found["smooth", "plane"] < ROUNDING_MM
+        assert found["smooth", "elevation"] < ROUNDING_MM
+
+
+def test_no_interpolation_is_half_as_large_a_step_as_another(measure: Measure) -> None:
+    """They meet at the table's rows, between which the skin goes as far."""
+    steps = [row["ac_skin_mm_per_deg"] for row in measure(*SKIN)["skin"]["steps"]]
+    assert 0.2 < min(steps) < max(steps) < 2 * min(steps)
+
+
+def test_all_landmarks_jump_by_no_less_than_those_over_the_joint(measure: Measure) -> None:
+    answer = measure(*SKIN)
+    over_joint, everywhere = (
+        skin_jumps(answer, figure) for figure in ("ac_skin_mm_per_deg", "all_mm_per_deg")
+    )
+    assert all(over_joint[key] <= everywhere[key] for key in over_joint)
+    assert everywhere["slerp", "elevation"] > over_joint["slerp", "elevation"]
+
+
+def test_the_skins_jump_is_that_of_a_model_that_moves_so(
+    measure: Measure, girdle: Girdle, girdle_fine: Girdle
+) -> None:
+    """What verify finds on a model made with the same table, interpolation and skin."""
+    slerp = ("--interpolation", "slerp", "--closure", "table")
+    girdle_fine("generate", *SKIN, *slerp, "--out", "model")
+    report = json.loads(girdle("verify", "model/scene.xml", "--json").text)
+    found = skin_jumps(measure(*SKIN), "ac_skin_mm_per_deg")
+    for over in ("elevation", "plane"):
+        item = f"jump of AC skin over {over} knots, linear blend"
+        (line,) = (r for r in report["residuals"] if r["item"] == item)
+        # The skin of a model is stored in single precision.
+        assert found["slerp", over] == pytest.approx(line["value"], rel=1e-5)
+
+
+def test_the_skin_moves_by_the_table_that_is_said(measure: Measure) -> None:
+    other = skin_jumps(measure(*SKIN, "--table", "destepped"), "ac_skin_mm_per_deg")
+    assert other["slerp", "elevation"] < skin_jumps(measure(*SKIN), "ac_skin_mm_per_deg")[
+        "slerp", "elevation"
+    ]
+
+
+def test_without_a_skin_nothing_is_said_of_one_and_all_else_is_the_same(measure: Measure) -> None:
+    with_skin = dict(measure(*SKIN))
+    del with_skin["skin"]
+    assert with_skin == measure()
+
+
+def test_the_text_has_the_skins_lines_of_the_json(girdle_fine: Girdle, measure: Measure) -> None:
+    text = girdle_fine("continuity", *SKIN).text
+    skin = measure(*SKIN)["skin"]
+    for row in skin["jumps"]:
+        (line,) = re.findall(rf"^{row['interpolation']} +{row['over']} .* skin_.*", text, re.MULTILINE)
+        numbers = [float(word) for word in line.split()[2:4]]
+        expected = [row["ac_skin_mm_per_deg"], row["all_mm_per_deg"]]
+        assert numbers == pytest.approx(expected, rel=0.051), line
+        assert line.endswith(f"  {row['where']}")
+    for row in skin["steps"]:
+        (line,) = re.findall(rf"^{row['interpolation']} +a degree .*", text, re.MULTILINE)
+        assert float(line.split()[3]) == pytest.approx(row["ac_skin_mm_per_deg"], rel=0.051), line
+
+
+@pytest.mark.parametrize(
+    ("options", "because"),
+    [
+        (("--skin", "elsewhere"), ("--skin 'elsewhere'", "implicit")),
+        (("--head", "cut"), ("--head cut", "add --skin")),
+    ],
+)
+def test_a_skin_that_is_none_is_refused(
+    refuses: Refuses, options: tuple[str, ...], because: tuple[str, ...]
+) -> None:
+    refuses("continuity", *options, because=because)
+
+
 # --- Checks of the rhythm ------------------------------------------------------------------------
 
 RHYTHMS: dict[str, tuple[tuple[str, ...], str]] = {

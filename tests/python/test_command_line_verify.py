@@ -25,6 +25,7 @@ from conftest import (
     RunProgram,
     WriteModel,
     find_element,
+    remove_element,
 )
 from reference_rhythm import DATABASE, JOINT_COORDINATES, Array, multiply
 
@@ -241,6 +242,45 @@ def test_the_report_names_the_rhythm(girdle: Girdle, models: Callable[..., Path]
     _, report = verify(girdle, models(*PUBLISHED) / SCENE_FILE)
     expected = "interpolation squad, closure table, range clamp, table measured"
     assert report.answer["rhythm"] == expected
+
+
+def say_no_table(root: ElementTree.Element) -> None:
+    remove_element(root, ".//config[@key='table']")
+
+
+def test_a_model_that_says_no_table_is_held_against_the_one_that_is_named(
+    girdle: Girdle, write_model: WriteModel
+) -> None:
+    """What it means is the default of its interpolation, with which it was made."""
+    code, report = verify(girdle, write_model(say_no_table))
+    assert (code, report.failed) == (0, set())
+    assert report.answer["rhythm"].endswith(", range whole, table destepped")
+
+
+@pytest.mark.parametrize("interpolation", ["squad", "slerp"])
+def test_without_a_table_the_one_that_the_other_interpolation_uses_is_named(
+    girdle: Girdle, write_model: WriteModel, interpolation: str
+) -> None:
+    """The figures are those of the table that the report names, and no other's."""
+    scene = write_model(say_no_table)
+    said = ("--interpolation", interpolation)
+    _, unsaid = verify(girdle, scene, *said)
+    _, measured = verify(girdle, scene, *said, "--table", "measured")
+    _, destepped = verify(girdle, scene, *said, "--table", "destepped")
+    expected = f"interpolation {interpolation}, closure exact, range clamp, table measured"
+    assert unsaid.answer["rhythm"] == expected
+    assert unsaid.answer == measured.answer
+    assert unsaid.answer["residuals"] != destepped.answer["residuals"]
+
+
+def test_a_table_that_the_model_says_stays_under_another_interpolation(
+    girdle: Girdle, generated: Path
+) -> None:
+    scene = generated / SCENE_FILE
+    _, own = verify(girdle, scene, "--interpolation", "squad")
+    _, destepped = verify(girdle, scene, "--interpolation", "squad", "--table", "destepped")
+    assert own.answer["rhythm"].endswith("table destepped")
+    assert own.answer == destepped.answer
 
 
 def lines_of(report: Report, group: str) -> dict[str, dict[str, Any]]:

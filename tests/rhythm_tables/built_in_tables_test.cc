@@ -47,13 +47,13 @@ TEST(BuiltInTable, HasAWordThatReadsBack) {
   for (const auto& [table, word] : {std::pair(BuiltInTable::kMeasured, "measured"),
                                     std::pair(BuiltInTable::kDestepped, "destepped")}) {
     EXPECT_EQ(Name(table), word);
-    EXPECT_EQ(BuiltInTableFromName(word), table);
+    EXPECT_EQ(FromName<BuiltInTable>(word), table);
   }
 }
 
 TEST(BuiltInTable, HasNoOtherWords) {
   for (const char* const word : {"", "Measured", "measured ", "measure", "ludewig2009"}) {
-    EXPECT_EQ(BuiltInTableFromName(word), std::nullopt) << word;
+    EXPECT_EQ(FromName<BuiltInTable>(word), std::nullopt) << word;
   }
 }
 

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <ostream>
 #include <stdexcept>
 #include <string>
@@ -29,7 +30,8 @@ RhythmConfigText ValidText() {
 }
 
 ShoulderRhythm RhythmOf(const RhythmConfigText& text) {
-  return ConfiguredRhythm(ParseRhythmConfig(text), ShoulderRhythm::Unbounded());
+  return MakeRhythm(Resolve(ParseRhythmConfig(text).rhythm), ShoulderRhythm::Unbounded(),
+                    "config: ");
 }
 
 // Two planes of two elevations.
@@ -66,7 +68,7 @@ class ChosenTable : public testing::TestWithParam<TableChoice> {};
 TEST_P(ChosenTable, IsTheOneNamedOrTheInterpolationsOwn) {
   const RhythmConfig config =
       ParseRhythmConfig({GetParam().interpolation, "", "", GetParam().table, ""});
-  EXPECT_EQ(RhythmTableToLine(config.table),
+  EXPECT_EQ(RhythmTableToLine(Resolve(config.rhythm).table),
             RhythmTableToLine(BuiltInRhythmTable(GetParam().expected)));
 }
 
@@ -90,7 +92,7 @@ TEST(RhythmConfig, TakesTheInterpolation) {
   for (const char* const name : {"smooth", "squad", "slerp"}) {
     RhythmConfigText text = ValidText();
     text.interpolation = name;
-    EXPECT_EQ(Name(ParseRhythmConfig(text).options.interpolation), name);
+    EXPECT_EQ(Name(ParseRhythmConfig(text).rhythm.interpolation.value()), name);
   }
 }
 
@@ -98,7 +100,7 @@ TEST(RhythmConfig, TakesTheClosure) {
   for (const char* const name : {"exact", "table"}) {
     RhythmConfigText text = ValidText();
     text.closure = name;
-    EXPECT_EQ(Name(ParseRhythmConfig(text).options.closure), name);
+    EXPECT_EQ(Name(ParseRhythmConfig(text).rhythm.closure.value()), name);
   }
 }
 
@@ -106,14 +108,15 @@ TEST(RhythmConfig, TakesTheRange) {
   for (const char* const name : {"whole", "clamp"}) {
     RhythmConfigText text = ValidText();
     text.range = name;
-    EXPECT_EQ(Name(ParseRhythmConfig(text).options.range.value()), name);
+    EXPECT_EQ(Name(ParseRhythmConfig(text).rhythm.range.value()), name);
   }
 }
 
 TEST(RhythmConfig, TakesATable) {
   RhythmConfigText text = ValidText();
   text.table = RhythmTableToLine(SmallTable());
-  EXPECT_EQ(ParseRhythmConfig(text).table.elevations_rad(), SmallTable().elevations_rad());
+  EXPECT_EQ(Resolve(ParseRhythmConfig(text).rhythm).table.elevations_rad(),
+            SmallTable().elevations_rad());
 }
 
 TEST(RhythmConfig, TakesNineStiffnessesInOrder) {
@@ -162,6 +165,8 @@ INSTANTIATE_TEST_SUITE_P(
                    "closure is \"Table\", expected \"exact\" or \"table\""},
         ConfigFlaw{"range", [](RhythmConfigText& text) { text.range = "all"; },
                    "range is \"all\", expected \"whole\" or \"clamp\""},
+        ConfigFlaw{"side", [](RhythmConfigText& text) { text.side = "Left"; },
+                   "side is \"Left\", expected \"right\" or \"left\""},
         ConfigFlaw{"two stiffnesses", [](RhythmConfigText& text) { text.stiffness = "1 2"; },
                    "kp is \"1 2\", expected one positive number of N m/rad, or nine in the order "
                    "sc, ac, gh"},
@@ -206,12 +211,20 @@ TEST(RhythmConfig, TakesAWordThatNamesNoTableForATable) {
   EXPECT_EQ(message.rfind("config key \"table\"", 0), 0U) << message;
 }
 
-TEST(ConfiguredRhythm, HasTheJointRangesOfTheModel) {
-  JointRanges ranges = ShoulderRhythm::Unbounded();
-  ranges[kGhAxialIndex] = {-1.25, 0.75};
-  const ShoulderRhythm rhythm = ConfiguredRhythm(ParseRhythmConfig({}), ranges);
-  EXPECT_EQ(rhythm.ranges()[kGhAxialIndex].lower_rad, -1.25);
-  EXPECT_EQ(rhythm.ranges()[kGhAxialIndex].upper_rad, 0.75);
+// So that what is said over it does not meet a default that nobody said.
+TEST(RhythmConfig, LeavesOpenWhatTheModelDoesNotSay) {
+  const RhythmChoice rhythm = ParseRhythmConfig({}).rhythm;
+  EXPECT_EQ(rhythm.interpolation, std::nullopt);
+  EXPECT_EQ(rhythm.closure, std::nullopt);
+  EXPECT_EQ(rhythm.range, std::nullopt);
+  EXPECT_FALSE(rhythm.table.has_value());
+}
+
+TEST(RhythmConfig, TakesTheSide) {
+  RhythmConfigText text = ValidText();
+  EXPECT_EQ(ParseRhythmConfig(text).side, Side::kRight);
+  text.side = "left";
+  EXPECT_EQ(ParseRhythmConfig(text).side, Side::kLeft);
 }
 
 // What a configuration's words or its table do not go together for.

@@ -22,6 +22,7 @@
 #include "kinematics/shipped_data.h"
 #include "rhythm_tables/built_in_files.h"
 #include "rhythm_tables/built_in_tables.h"
+#include "rhythm_tables/rhythm_choice.h"
 #include "text/csv_text.h"
 #include "text/input_error.h"
 #include "text/number_text.h"
@@ -249,30 +250,24 @@ std::string DataFile(const std::string& name) {
 }
 
 ShoulderRhythm ReadUnbounded(const std::string& path, const RhythmOptions& options = {}) {
-  return ReadShoulderRhythm(path, options, ShoulderRhythm::Unbounded());
+  return MakeRhythm(
+      Resolve({options.interpolation, options.closure, options.range, TableFromWordOrFile(path)}),
+      ShoulderRhythm::Unbounded());
 }
 
-TEST(ReadShoulderRhythm, ReadsTheShippedFile) {
+TEST(RhythmOfAFile, ReadsTheShippedFile) {
   ExpectSamePositions(ReadUnbounded(DataFile("ludewig2009.csv")).table(),
                       BuiltInRhythmTable(BuiltInTable::kMeasured));
 }
 
-TEST(ReadShoulderRhythm, TakesItsOptions) {
+TEST(RhythmOfAFile, TakesItsOptions) {
   EXPECT_EQ(ReadUnbounded(DataFile("ludewig2009.csv"), {Interpolation::kSlerp, Closure::kTable})
                 .options()
                 .interpolation,
             Interpolation::kSlerp);
 }
 
-TEST(ReadShoulderRhythm, TakesItsJointRanges) {
-  JointRanges ranges = ShoulderRhythm::Unbounded();
-  ranges[kGhAxialIndex] = {-1.25, 0.75};
-  const ShoulderRhythm rhythm = ReadShoulderRhythm(DataFile("ludewig2009.csv"), {}, ranges);
-  EXPECT_EQ(rhythm.ranges()[kGhAxialIndex].lower_rad, -1.25);
-  EXPECT_EQ(rhythm.ranges()[kGhAxialIndex].upper_rad, 0.75);
-}
-
-TEST(ReadShoulderRhythm, NamesTheFileThatHasNoRuleForTheRangeWanted) {
+TEST(RhythmOfAFile, NamesTheFileThatHasNoRuleForTheRangeWanted) {
   const std::string path = DataFile("ludewig2009.csv");
   EXPECT_EQ(MessageOf<InputError>([&] {
               static_cast<void>(
@@ -283,13 +278,13 @@ TEST(ReadShoulderRhythm, NamesTheFileThatHasNoRuleForTheRangeWanted) {
                 "others nothing is known outside the table. Choose the range clamp");
 }
 
-TEST(ReadShoulderRhythm, NamesAFileThatIsNotThereAndWhy) {
+TEST(RhythmOfAFile, NamesAFileThatIsNotThereAndWhy) {
   EXPECT_EQ(MessageOf<InputError>([] { static_cast<void>(ReadUnbounded("no/such/table.csv")); }),
             "no/such/table.csv: cannot be opened: No such file or directory. Check the name and "
             "its permissions");
 }
 
-TEST(ReadShoulderRhythm, RefusesAFolder) {
+TEST(RhythmOfAFile, RefusesAFolder) {
   EXPECT_EQ(MessageOf<InputError>([] { static_cast<void>(ReadUnbounded(GIRDLE_SOURCE_DIR)); }),
             std::string(GIRDLE_SOURCE_DIR) + ": is a folder. Name a file in it");
 }
