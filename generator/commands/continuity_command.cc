@@ -16,6 +16,7 @@
 #include "rhythm_tables/built_in_tables.h"
 #include "rhythms/continuity.h"
 #include "text/input_error.h"
+#include "text/json_text.h"
 #include "text/number_text.h"
 #include "text/text_columns.h"
 
@@ -109,7 +110,7 @@ std::string AsJson(const ShoulderRhythm& rhythm, const std::vector<Interpolation
                               {"passed", check.passed()},
                               {"where", check.where}});
   }
-  return json.dump(2) + "\n";
+  return JsonText(json);
 }
 
 bool Measure(const ContinuityArguments& arguments) {

@@ -31,6 +31,9 @@ struct ChosenBody {
   PosedBody body;
   SkinWeights artist = {};     ///< of SkinBonesOf({right, left}); empty if there was no artist
   bool has_own_bones = false;  ///< whether the body brought its anatomy
+  /// What of the command line the body is made of, to stand in messages: `--skin man.glb`. Empty
+  /// for the body that is built in.
+  std::string source = {};
 };
 
 /// Returns the body that was asked for, for a model of these sides: one made of solids about the
@@ -49,7 +52,8 @@ struct MadeSkin {
 };
 
 /// Returns the skin of a model of these sides, bound to its bones: by heat, and where there was an
-/// artist by 30 % of what the artist chose. To be written to `file_name` beside the model.
+/// artist by 30 % of what the artist chose. To be written to `file_name` beside the model. Throws
+/// InputError if no skin can be made of what the user gave.
 [[nodiscard]] MadeSkin SkinOf(const ChosenBody& chosen, const std::vector<Side>& sides,
                               const std::string& file_name);
 

@@ -11,6 +11,7 @@
 
 #include "rhythm_tables/built_in_tables.h"
 #include "rhythm_tables/rhythm_table_csv.h"
+#include "text/input_error.h"
 #include "text/number_text.h"
 
 namespace girdle {
@@ -31,7 +32,7 @@ std::string OneOf(const std::array<std::string_view, N>& names) {
 }
 
 [[noreturn]] void Fail(const char* key, const std::string& value, const std::string& fix) {
-  throw std::runtime_error(std::string(key) + " is \"" + value + "\", expected " + fix);
+  throw InputError(std::string(key) + " is \"" + value + "\", expected " + fix);
 }
 
 // Sets `chosen` to the value of a word, if one is given.
@@ -118,7 +119,7 @@ ShoulderRhythm ConfiguredRhythm(const RhythmConfig& config, const JointRanges& r
   try {
     return ShoulderRhythm(config.table, config.options, ranges);
   } catch (const std::invalid_argument& error) {
-    throw std::runtime_error("config: " + std::string(error.what()));
+    throw InputError("config: " + std::string(error.what()));
   }
 }
 

@@ -31,12 +31,11 @@ struct RhythmConfig {
   double translation_stiffness_N_per_m = 0;
 };
 
-/// Returns the validated configuration. Throws std::runtime_error that names key, value and the
-/// fix.
+/// Returns the validated configuration. Throws InputError that names key, value and the fix.
 [[nodiscard]] RhythmConfig ParseRhythmConfig(const RhythmConfigText& text);
 
-/// Returns the rhythm of a configuration, in the joint ranges of a model. Throws std::runtime_error
-/// if the options do not go together or the table is too small for them.
+/// Returns the rhythm of a configuration, in the joint ranges of a model. Throws InputError if the
+/// options do not go together or the table is too small for them.
 [[nodiscard]] ShoulderRhythm ConfiguredRhythm(const RhythmConfig& config,
                                               const JointRanges& ranges);
 
