@@ -13,6 +13,9 @@
 
 #include "kinematics/clamped.h"
 #include "kinematics/euler_angles.h"
+#include "kinematics/humerus_rotation.h"
+#include "kinematics/smooth_rhythm.h"
+#include "kinematics/squad_rhythm.h"
 
 namespace girdle {
 namespace {
@@ -200,9 +203,10 @@ ShoulderRhythm::ShoulderRhythm(RhythmTable table, RhythmOptions options, const J
         "is known outside the table. Choose the range clamp");
   }
   if (options_.interpolation == Interpolation::kSmooth) {
-    smooth_.emplace(table_);
+    smooth_ = std::make_shared<const SmoothRhythm>(table_);
   } else {
-    squad_.emplace(table_, options_.interpolation == Interpolation::kSquad);
+    squad_ = std::make_shared<const SquadRhythm>(table_,
+                                                 options_.interpolation == Interpolation::kSquad);
   }
   if (options_.range == Range::kWhole) {
     smooth_->CheckWholeRange(table_);

@@ -8,17 +8,18 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
+#include <memory>
 #include <optional>
 #include <string_view>
 
 #include "kinematics/arm_directions.h"
 #include "kinematics/rhythm_table.h"
 #include "kinematics/shoulder_pose.h"
-#include "kinematics/smooth_rhythm.h"
-#include "kinematics/squad_rhythm.h"
 
 namespace girdle {
+
+class SmoothRhythm;
+class SquadRhythm;
 
 /// How rotations between the measured positions are found.
 enum class Interpolation {
@@ -144,7 +145,8 @@ struct ShoulderDerivatives {
 };
 
 /// Interpolant of a measured shoulder rhythm. Immutable; evaluation is thread-safe and allocates
-/// nothing.
+/// nothing. Copies share what is interpolated. An object that was moved from can only be destroyed
+/// or assigned to.
 class ShoulderRhythm {
  public:
   /// `ranges` bound what axial, shrug and protraction add; the rhythm itself they do not touch.
@@ -223,8 +225,8 @@ class ShoulderRhythm {
   JointRanges ranges_;
   ArmRectangle measured_;  ///< the table's domain
   ArmRectangle domain_;
-  std::optional<SmoothRhythm> smooth_;  ///< one of the two
-  std::optional<SquadRhythm> squad_;
+  std::shared_ptr<const SmoothRhythm> smooth_;  ///< one of the two
+  std::shared_ptr<const SquadRhythm> squad_;
 };
 
 }  // namespace girdle

@@ -18,6 +18,7 @@
 #include "rhythm_tables/built_in_tables.h"
 #include "rhythm_tables/rhythm_table_csv.h"
 #include "text/csv_text.h"
+#include "text/input_error.h"
 
 namespace girdle::rhythm_config_test {
 namespace {
@@ -149,7 +150,7 @@ class FlawedConfig : public testing::TestWithParam<ConfigFlaw> {};
 TEST_P(FlawedConfig, IsRefusedWithKeyValueAndFix) {
   RhythmConfigText text = ValidText();
   GetParam().change(text);
-  EXPECT_EQ(MessageOf<std::runtime_error>([&] { static_cast<void>(ParseRhythmConfig(text)); }),
+  EXPECT_EQ(MessageOf<InputError>([&] { static_cast<void>(ParseRhythmConfig(text)); }),
             GetParam().message);
 }
 
@@ -194,7 +195,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(RhythmConfig, SaysWhichKeyHoldsABrokenTable) {
   RhythmConfigText text = ValidText();
   text.table.replace(text.table.find(";0,20,") + 1, 5, "0,2O,");
-  EXPECT_EQ(MessageOf<std::runtime_error>([&] { static_cast<void>(ParseRhythmConfig(text)); }),
+  EXPECT_EQ(MessageOf<InputError>([&] { static_cast<void>(ParseRhythmConfig(text)); }),
             "config key \"table\":3: elevation_deg is '2O', expected a finite number such as 22.5");
 }
 
@@ -202,7 +203,7 @@ TEST(RhythmConfig, TakesAWordThatNamesNoTableForATable) {
   RhythmConfigText text = ValidText();
   text.table = "Measured";
   const std::string message =
-      MessageOf<std::runtime_error>([&] { static_cast<void>(ParseRhythmConfig(text)); });
+      MessageOf<InputError>([&] { static_cast<void>(ParseRhythmConfig(text)); });
   EXPECT_EQ(message.rfind("config key \"table\"", 0), 0U) << message;
 }
 
@@ -230,7 +231,7 @@ TEST_P(ConfiguredRhythmRefusal, SaysWhatDoesNotGoTogether) {
   GetParam().change(text);
   std::string message;
   ASSERT_NO_THROW(message =
-                      MessageOf<std::runtime_error>([&] { static_cast<void>(RhythmOf(text)); }));
+                      MessageOf<InputError>([&] { static_cast<void>(RhythmOf(text)); }));
   EXPECT_EQ(message.rfind(GetParam().message, 0), 0U) << message;
 }
 
