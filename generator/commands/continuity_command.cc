@@ -21,6 +21,7 @@
 #include "skin/skin_landmarks.h"
 #include "skin/skin_measures.h"
 #include "text/input_error.h"
+#include "text/json_text.h"
 #include "text/number_text.h"
 #include "text/text_columns.h"
 
@@ -129,7 +130,7 @@ std::string AsJson(const ShoulderRhythm& rhythm, const std::vector<Interpolation
   if (skin) {
     json["skin"] = SkinAsJson(*skin);
   }
-  return json.dump(2) + "\n";
+  return JsonText(json);
 }
 
 // The landmarks of the right shoulder's skin that was asked for, if any was.

@@ -20,6 +20,7 @@
 #include "rhythm_tables/rhythm_table_csv.h"
 #include "text/csv.h"
 #include "text/input_error.h"
+#include "text/json_text.h"
 #include "text/number_text.h"
 #include "text/text_columns.h"
 #include "text/text_file.h"
@@ -154,7 +155,7 @@ std::string ReportAsJson(const DestepArguments& arguments, const SmoothingOption
     line["elevation_deg"] = DegreesFromRadians(table.elevations_rad()[largest.place().elevation]);
     json["largest"].push_back(line);
   }
-  return json.dump(2) + "\n";
+  return JsonText(json);
 }
 
 RhythmTable SmoothedFrom(const std::string& path, const RhythmTable& table,

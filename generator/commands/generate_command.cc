@@ -22,6 +22,7 @@
 #include "mjcf/shoulder_model.h"
 #include "rhythm_tables/built_in_tables.h"
 #include "text/input_error.h"
+#include "text/json_text.h"
 
 namespace girdle {
 namespace {
@@ -170,7 +171,7 @@ void Generate(const GenerateArguments& arguments) {
     if (skin) json["skin"] = skin_file;
     if (has_own_bones) json["landmarks"] = landmarks;
     json["checked"] = checked;
-    Print(json.dump(2) + "\n");
+    Print(JsonText(json));
   } else {
     Print("model  " + model + "\nscene  " + scene + "\n" +
           (skin ? "skin   " + skin_file + "\n" : "") + "check  " + checked + "\n");

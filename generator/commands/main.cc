@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// The program `girdle`: verbs first, errors on standard error, exit status 0 fine, 1 a residual
-/// above its tolerance, 2 bad usage or input.
+/// The program `girdle`: verbs first, errors on standard error, exit statuses as in exit_status.h.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <exception>
@@ -14,6 +13,7 @@
 #include "commands/continuity_command.h"
 #include "commands/destep_command.h"
 #include "commands/doctor_command.h"
+#include "commands/exit_status.h"
 #include "commands/generate_command.h"
 #include "commands/output_file.h"
 #include "commands/render_command.h"
@@ -26,7 +26,6 @@
 namespace girdle {
 namespace {
 
-constexpr int kBadInput = 2;
 constexpr const char* kSeeHelp = "See girdle --help";
 
 std::string VerbNames(const CLI::App& program) {
@@ -66,7 +65,7 @@ int Run(int argc, char** argv) {
   CLI::App program("A human shoulder for MuJoCo that moves as measured.", "girdle");
   program.set_version_flag("--version", "girdle " GIRDLE_VERSION);
   program.require_subcommand(0, 1);
-  int residual_status = 0;
+  int residual_status = kFine;
   AddSolveCommand(program);
   AddGenerateCommand(program);
   AddSimulateCommand(program);
@@ -77,7 +76,10 @@ int Run(int argc, char** argv) {
   AddDestepCommand(program);
   AddDoctorCommand(program, residual_status);
   AddThoraxCommand(program);
-  program.footer("girdle VERB --help tells more, with examples.");
+  program.footer(
+      "Exit status: 0 all is well, 1 a residual or check is outside its tolerance, 2 the command "
+      "line or a file cannot be used, 3 a fault of Girdle.\n"
+      "girdle VERB --help tells more, with examples.");
   RefuseEmptyWords(argc, argv);
   CheckVerb(program, argc, argv);
   try {
@@ -86,7 +88,7 @@ int Run(int argc, char** argv) {
     std::ostringstream text;
     program.exit(help, text, text);
     Print(text.str());
-    return 0;
+    return kFine;
   } catch (const CLI::ParseError& error) {
     throw InputError(std::string(error.what()) + "\n" + kSeeHelp);
   }
@@ -103,8 +105,7 @@ int main(int argc, char** argv) {
   std::ios::sync_with_stdio(false);
   try {
     return girdle::Run(argc, argv);
-  } catch (const std::exception& error) {
-    std::cerr << "girdle: " << error.what() << "\n";
-    return girdle::kBadInput;
+  } catch (...) {
+    return girdle::ReportException(std::current_exception(), std::cerr);
   }
 }

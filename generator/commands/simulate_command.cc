@@ -23,6 +23,7 @@
 #include "commands/word_argument.h"
 #include "simulation/motion.h"
 #include "text/input_error.h"
+#include "text/json_text.h"
 #include "text/number_text.h"
 
 namespace girdle {
@@ -222,7 +223,7 @@ void Simulate(const SimulateArguments& arguments) {
     json["worst_distance_deg"] = summary.worst_distance_deg;
     json["worst_tracking_error_deg"] = summary.worst_error_deg;
     json["last_tracking_error_deg"] = summary.last_error_deg;
-    Print(json.dump(2) + "\n");
+    Print(JsonText(json));
     return;
   }
   constexpr int kDecimals = 3;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <stdexcept>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -74,6 +75,41 @@ void ExpectFitting(Source source, const SkinArguments& arguments, const AnatomyA
   }
 }
 
+// Returns what `make` makes. What a surface has to be is said by the rooms that work on
+// it, as std::invalid_argument: the user's to mend if it came from there, and else our fault.
+template <typename Make>
+auto OrBlame(const std::string& source, const Make& make) {
+  try {
+    return make();
+  } catch (const std::invalid_argument& error) {
+    if (source.empty()) {
+      throw;
+    }
+    throw InputError(source + ": " + error.what());
+  }
+}
+
+ChosenBody MadeBody(Source source, const SkinArguments& arguments, const AnatomyArguments& anatomy,
+                    const std::vector<Side>& sides) {
+  if (source == Source::kImplicit) {
+    return ChosenBody{ImplicitBody(ChosenAnatomy(anatomy), sides)};
+  }
+  ChosenBody chosen;
+  chosen.has_own_bones = true;
+  if (source == Source::kFolder) {
+    Head head = Head::kKept;
+    ChooseWord("--head", arguments.head, head);
+    FittedBody fitted = FitBones(ReadMakeHumanMan(arguments.skin), BuiltInMakeHumanFit(),
+                                 BuiltInAnatomy(), RelaxedStanding(), BuiltInRhythm(), head);
+    chosen.body = std::move(fitted.body);
+    chosen.artist = std::move(fitted.artist);
+  } else {
+    chosen.body = ReadPersonBody(arguments.skin, arguments.landmarks, BuiltInAnatomy(), sides);
+  }
+  FitTissues(chosen.body.anatomy);
+  return chosen;
+}
+
 }  // namespace
 
 void AddSkinArguments(CLI::App& verb, SkinArguments& arguments) {
@@ -102,44 +138,38 @@ std::optional<ChosenBody> BodyFor(const SkinArguments& arguments, const AnatomyA
   }
   const Source source = SourceOf(arguments.skin);
   ExpectFitting(source, arguments, anatomy);
-  if (source == Source::kImplicit) {
-    return ChosenBody{ImplicitBody(ChosenAnatomy(anatomy), sides)};
-  }
-  ChosenBody chosen;
-  chosen.has_own_bones = true;
-  if (source == Source::kFolder) {
-    Head head = Head::kKept;
-    ChooseWord("--head", arguments.head, head);
-    FittedBody fitted = FitBones(ReadMakeHumanMan(arguments.skin), BuiltInMakeHumanFit(),
-                                 BuiltInAnatomy(), RelaxedStanding(), BuiltInRhythm(), head);
-    chosen.body = std::move(fitted.body);
-    chosen.artist = std::move(fitted.artist);
-  } else {
-    chosen.body = ReadPersonBody(arguments.skin, arguments.landmarks, BuiltInAnatomy(), sides);
-  }
-  FitTissues(chosen.body.anatomy);
-  return chosen;
+  const bool is_built_in = source == Source::kImplicit && !IsAnatomyChosen(anatomy);
+  const std::string given = is_built_in ? "" : "--skin " + arguments.skin;
+  return OrBlame(given, [&] {
+    ChosenBody chosen = MadeBody(source, arguments, anatomy, sides);
+    chosen.source = given;
+    return chosen;
+  });
 }
 
 BoundSkin BoundTo(const ChosenBody& chosen, const std::vector<Side>& sides) {
-  const PosedBody& body = chosen.body;
-  const std::vector<SkinBone> bones = SkinBonesOf(sides);
-  SkinWeights weights = BoneHeat(body.surface, BoneShapesOf(body, bones));
-  if (!chosen.artist.empty()) {
-    const SkinWeights artist =
-        SharesOf(bones, SkinBonesOf({Side::kRight, Side::kLeft}), chosen.artist);
-    weights = Smoothed(body.surface, Mixed(weights, artist, kArtistShare), kSmoothingSteps);
-  }
-  return Bind(body, bones, weights);
+  return OrBlame(chosen.source, [&] {
+    const PosedBody& body = chosen.body;
+    const std::vector<SkinBone> bones = SkinBonesOf(sides);
+    SkinWeights weights = BoneHeat(body.surface, BoneShapesOf(body, bones));
+    if (!chosen.artist.empty()) {
+      const SkinWeights artist =
+          SharesOf(bones, SkinBonesOf({Side::kRight, Side::kLeft}), chosen.artist);
+      weights = Smoothed(body.surface, Mixed(weights, artist, kArtistShare), kSmoothingSteps);
+    }
+    return Bind(body, bones, weights);
+  });
 }
 
 MadeSkin SkinOf(const ChosenBody& chosen, const std::vector<Side>& sides,
                 const std::string& file_name) {
   MadeSkin made{{file_name, {}}, SknBytes(BoundTo(chosen, sides))};
-  for (const Side side : sides) {
-    made.element.landmarks.push_back(FindSkinLandmarks(chosen.body, side));
-  }
-  return made;
+  return OrBlame(chosen.source, [&] {
+    for (const Side side : sides) {
+      made.element.landmarks.push_back(FindSkinLandmarks(chosen.body, side));
+    }
+    return std::move(made);
+  });
 }
 
 }  // namespace girdle

@@ -32,6 +32,9 @@ struct ChosenBody {
   PosedBody body;
   SkinWeights artist = {};     ///< of SkinBonesOf({right, left}); empty if there was no artist
   bool has_own_bones = false;  ///< whether the body brought its anatomy
+  /// What of the command line the body is made of, to stand in messages: `--skin man.glb`. Empty
+  /// for the body that is built in.
+  std::string source = {};
 };
 
 /// Returns the body that was asked for, for a model of these sides: one made of solids about the
@@ -50,10 +53,12 @@ struct MadeSkin {
 };
 
 /// Returns the body's surface bound to the bones of a model of these sides: by heat, and where
-/// there was an artist by 30 % of what the artist chose.
+/// there was an artist by 30 % of what the artist chose. Throws InputError if no skin can be made
+/// of what the user gave.
 [[nodiscard]] BoundSkin BoundTo(const ChosenBody& chosen, const std::vector<Side>& sides);
 
-/// Returns BoundTo as a model's skin, to be written to `file_name` beside the model.
+/// Returns BoundTo as a model's skin, to be written to `file_name` beside the model. Throws as
+/// BoundTo.
 [[nodiscard]] MadeSkin SkinOf(const ChosenBody& chosen, const std::vector<Side>& sides,
                               const std::string& file_name);
 

@@ -30,6 +30,7 @@
 #include "commands/solve_rows.h"
 #include "names/model_names.h"
 #include "text/input_error.h"
+#include "text/json_text.h"
 #include "text/number_text.h"
 #include "text/text_columns.h"
 #include "text/text_file.h"
@@ -216,7 +217,7 @@ std::string PoseAsJson(const ShoulderRhythm& rhythm, const TypedPose& typed,
   if (additions.rates) {
     json["derivatives"] = DerivativesAsJson(*rhythm.SolveDerivatives(typed.command()));
   }
-  return json.dump(2) + "\n";
+  return JsonText(json);
 }
 
 constexpr std::size_t kLabelWidth = 22;
@@ -351,7 +352,7 @@ void SolvePosture(const SolveArguments& arguments) {
     if (additions.points_of) {
       json[kLandmarksKey] = PointsAsJson(*additions.points_of, pose);
     }
-    text = json.dump(2) + "\n";
+    text = JsonText(json);
   }
   OutputFile out(arguments.out);
   out.Write(text);

@@ -19,6 +19,7 @@
 #include "kinematics/lengths.h"
 #include "rhythm_tables/built_in_tables.h"
 #include "text/input_error.h"
+#include "text/json_text.h"
 #include "text/number_text.h"
 #include "text/text_columns.h"
 
@@ -183,7 +184,7 @@ std::string ReportAsJson(const ThoraxReport& report) {
   json["fitted"]["center_deviation_m"] = VectorAsJson(report.deviation.center_m);
   json["fitted"]["radii_deviation_m"] = VectorAsJson(report.deviation.radii_m);
   json["anatomy"] = EllipsoidAsJson(report.given);
-  return json.dump(2) + "\n";
+  return JsonText(json);
 }
 
 void FitThorax(const ThoraxArguments& arguments, const Anatomy& anatomy) {

@@ -9,16 +9,46 @@
 /// and none of them fails or allocates.
 #pragma once
 
+#include <cstddef>
 #include <glm/ext/matrix_double3x3.hpp>
 #include <glm/ext/quaternion_double.hpp>
 #include <glm/ext/vector_double3.hpp>
 #include <numbers>
+#include <type_traits>
+
+// GLM's switches change what its types are. Girdle's library was compiled with one kind of them.
+#if defined(GLM_FORCE_QUAT_CTOR_XYZW) || defined(GLM_FORCE_QUAT_DATA_XYZW)
+#error \
+    "Girdle constructs quaternions from w, x, y, z, and the GLM switch GLM_FORCE_QUAT_CTOR_XYZW \
+(or GLM_FORCE_QUAT_DATA_XYZW) changes that order in some versions of GLM. Remove the switch from \
+the sources that include Girdle."
+#endif
 
 namespace girdle {
 
-using Quaternion = glm::dquat;
-using Vector3 = glm::dvec3;
-using Matrix3 = glm::dmat3;
+/// GLM's types without alignment: glm::dquat, glm::dvec3 and glm::dmat3, unless the switches
+/// GLM_FORCE_DEFAULT_ALIGNED_GENTYPES and GLM_FORCE_INTRINSICS make those larger types. GLM
+/// converts the ones into the others where a constructor is written.
+using Quaternion = glm::qua<double, glm::packed_highp>;
+using Vector3 = glm::vec<3, double, glm::packed_highp>;
+using Matrix3 = glm::mat<3, 3, double, glm::packed_highp>;
+
+static_assert(offsetof(Quaternion, x) == 0 && offsetof(Quaternion, w) == 3 * sizeof(double),
+              "Girdle's library keeps quaternions in memory as x, y, z, w, and here GLM keeps them "
+              "as w, x, y, z: all numbers would be wrong. Remove the GLM switch "
+              "GLM_FORCE_QUAT_DATA_WXYZ from the sources that include Girdle, and read quaternions "
+              "by component: q.w, q.x, q.y, q.z");
+static_assert(
+    std::is_same_v<glm::length_t, int>,
+    "Girdle's library was compiled with GLM's sizes as int: with others its functions are "
+    "not found. Remove the GLM switch GLM_FORCE_SIZE_T_LENGTH from the sources that "
+    "include Girdle");
+static_assert(sizeof(Quaternion) == 4 * sizeof(double) && sizeof(Vector3) == 3 * sizeof(double) &&
+                  sizeof(Matrix3) == 9 * sizeof(double) && alignof(Quaternion) == alignof(double) &&
+                  alignof(Vector3) == alignof(double) && alignof(Matrix3) == alignof(double),
+              "Girdle's library keeps vectors, quaternions and matrices in memory as doubles side "
+              "by side, and here GLM aligns them. Remove GLM's switches for alignment from the "
+              "sources that include Girdle");
 
 inline constexpr double kPi = std::numbers::pi;
 inline constexpr double kRadiansPerDegree = kPi / 180.0;

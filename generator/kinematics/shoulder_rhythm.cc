@@ -13,6 +13,9 @@
 
 #include "kinematics/clamped.h"
 #include "kinematics/euler_angles.h"
+#include "kinematics/humerus_rotation.h"
+#include "kinematics/smooth_rhythm.h"
+#include "kinematics/squad_rhythm.h"
 
 namespace girdle {
 namespace {
@@ -164,9 +167,9 @@ JointRanges ShoulderRhythm::Unbounded() noexcept {
 ShoulderRhythm::Interpolant ShoulderRhythm::InterpolantOf(const RhythmTable& table,
                                                           Interpolation interpolation) {
   if (interpolation == Interpolation::kSmooth) {
-    return SmoothRhythm(table);
+    return std::make_shared<const SmoothRhythm>(table);
   }
-  return SquadRhythm(table, interpolation == Interpolation::kSquad);
+  return std::make_shared<const SquadRhythm>(table, interpolation == Interpolation::kSquad);
 }
 
 ShoulderRhythm::ShoulderRhythm(RhythmTable table, RhythmOptions options, const JointRanges& ranges)
@@ -309,9 +312,9 @@ ShoulderPose ShoulderRhythm::PoseFor(ArmCommand& used) const noexcept {
     pose = {Plain(Element(joints.q_TC_CS, 0)), Plain(Element(joints.q_TC_CS, 1)),
             Plain(joints.q_SH)};
   } else {
-    const auto* const squad = std::get_if<SquadRhythm>(&interpolant_);
+    const SquadRhythm& squad = **std::get_if<std::shared_ptr<const SquadRhythm>>(&interpolant_);
     const JointRotations rotations =
-        squad->RotationsIn(table_.CellAt(used.elevation_rad, used.plane_rad));
+        squad.RotationsIn(table_.CellAt(used.elevation_rad, used.plane_rad));
     pose = {rotations[0], rotations[1], rotations[2]};
     if (exact) {
       const Quaternion q_TH = pose.q_TH();

@@ -8,7 +8,7 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <variant>
@@ -16,11 +16,12 @@
 #include "kinematics/arm_directions.h"
 #include "kinematics/rhythm_table.h"
 #include "kinematics/shoulder_pose.h"
-#include "kinematics/smooth_rhythm.h"
-#include "kinematics/squad_rhythm.h"
 #include "kinematics/words.h"
 
 namespace girdle {
+
+class SmoothRhythm;
+class SquadRhythm;
 
 /// How rotations between the measured positions are found.
 enum class Interpolation {
@@ -143,7 +144,8 @@ struct ShoulderDerivatives {
 };
 
 /// Interpolant of a measured shoulder rhythm. Immutable; evaluation is thread-safe and allocates
-/// nothing.
+/// nothing. Copies share what is interpolated. An object that was moved from can only be destroyed
+/// or assigned to.
 class ShoulderRhythm {
  public:
   /// `ranges` bound what axial, shrug and protraction add; the rhythm itself they do not touch.
@@ -199,12 +201,14 @@ class ShoulderRhythm {
     double plane_slope_by_elevation;  ///< along the limit of what an arm can reach
   };
 
-  using Interpolant = std::variant<SmoothRhythm, SquadRhythm>;
+  using Interpolant =
+      std::variant<std::shared_ptr<const SmoothRhythm>, std::shared_ptr<const SquadRhythm>>;
   [[nodiscard]] static Interpolant InterpolantOf(const RhythmTable& table,
                                                  Interpolation interpolation);
   /// Null with squad or slerp, which have no derivatives.
   [[nodiscard]] const SmoothRhythm* smooth() const noexcept {
-    return std::get_if<SmoothRhythm>(&interpolant_);
+    const auto* const smooth = std::get_if<std::shared_ptr<const SmoothRhythm>>(&interpolant_);
+    return smooth == nullptr ? nullptr : smooth->get();
   }
   [[nodiscard]] Used UsedFor(double elevation_rad, double plane_rad) const noexcept;
   /// The rates within the table, without offsets or axial turn.

@@ -16,7 +16,6 @@
 #include <vector>
 
 #include "anatomy/anatomy.h"
-#include "kinematics/assembled_rhythm.h"
 #include "kinematics/assembly.h"
 #include "kinematics/shoulder_rhythm.h"
 #include "names/model_names.h"

@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "mujoco_search/engine_trial.h"
+#include "text/json_text.h"
 #include "text/same_bytes.h"
 #include "text/text_columns.h"
 
@@ -205,7 +206,7 @@ std::string DiagnosisAsJson(const Diagnosis& diagnosis) {
                        {"notes", diagnosis.notes},
                        {"fix", diagnosis.fix},
                        {"install", diagnosis.install}};
-  return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return JsonText(report);
 }
 
 }  // namespace girdle

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "text/json_text.h"
 #include "text/number_text.h"
 #include "text/text_columns.h"
 
@@ -77,7 +78,7 @@ std::string ReportAsJson(const ResidualReport& report) {
     line["where"] = residual.where;
     json["residuals"].push_back(line);
   }
-  return json.dump(2) + "\n";
+  return JsonText(json);
 }
 
 }  // namespace girdle

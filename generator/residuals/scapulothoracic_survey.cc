@@ -15,6 +15,7 @@
 #include "kinematics/worst_case.h"
 #include "residuals/residual_report.h"
 #include "text/input_error.h"
+#include "text/json_text.h"
 #include "text/number_text.h"
 
 namespace girdle {
@@ -458,7 +459,7 @@ std::string SurveyAsJson(const ScapulothoracicSurvey& survey) {
     }
     json["positions"].push_back(row);
   }
-  return json.dump(2) + "\n";
+  return JsonText(json);
 }
 
 }  // namespace girdle

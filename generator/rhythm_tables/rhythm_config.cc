@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "names/joint_dynamics.h"
+#include "text/input_error.h"
 #include "text/number_text.h"
 
 namespace girdle {
@@ -26,7 +27,7 @@ std::string OneOf(const std::array<std::string_view, N>& names) {
 }
 
 [[noreturn]] void Fail(const char* key, const std::string& value, const std::string& fix) {
-  throw std::runtime_error(std::string(key) + " is \"" + value + "\", expected " + fix);
+  throw InputError(std::string(key) + " is \"" + value + "\", expected " + fix);
 }
 
 // Returns the value of a word; nothing if none is given.

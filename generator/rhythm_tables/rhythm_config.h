@@ -30,8 +30,7 @@ struct RhythmConfig {
   double translation_stiffness_N_per_m = 0;
 };
 
-/// Returns the validated configuration. Throws std::runtime_error that names key, value and the
-/// fix.
+/// Returns the validated configuration. Throws InputError that names key, value and the fix.
 [[nodiscard]] RhythmConfig ParseRhythmConfig(const RhythmConfigText& text);
 
 }  // namespace girdle

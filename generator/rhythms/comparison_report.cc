@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "text/json_text.h"
 #include "text/number_text.h"
 #include "text/text_columns.h"
 
@@ -248,7 +249,7 @@ std::string ComparisonAsJson(const Comparison& comparison) {
     ratio["rows"].push_back(line);
   }
   json["scapulohumeral_ratio"] = ratio;
-  return json.dump(2) + "\n";
+  return JsonText(json);
 }
 
 void WriteMapCsv(const ShoulderRhythm& measured, const std::vector<PublishedRhythm>& published,

@@ -3,6 +3,9 @@
 
 #include "text/number_text.h"
 
+#include <fast_float/fast_float.h>
+
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <charconv>
@@ -83,15 +86,24 @@ char* WriteWhole(char* out, std::uint32_t number) {
   return out + 3 - zeros;
 }
 
+// Whether a number in decimals is zero as it stands, and not only for want of range.
+bool IsZero(std::string_view number) {
+  const std::string_view digits = number.substr(0, number.find_first_of("eE"));
+  return std::all_of(digits.begin(), digits.end(),
+                     [](char digit) { return digit < '1' || digit > '9'; });
+}
+
 }  // namespace
 
 std::optional<double> FiniteNumber(std::string_view text) noexcept {
   if (text.size() > 1 && text.front() == '+' && text[1] != '-' && text[1] != '+') {
     text.remove_prefix(1);
   }
+  // In place of std::from_chars, which Clang's own library lacks for double before version 20.
   double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) {
+  const auto [end, error] = fast_float::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value) ||
+      (value == 0 && !IsZero(text))) {
     return std::nullopt;
   }
   return value;

@@ -172,35 +172,5 @@ INSTANTIATE_TEST_SUITE_P(
                     DistanceCase{"an elevation above 180 counts as 180", 190, 40, 60},
                     DistanceCase{"a hair beyond", 90, 90.000001, 0.000001}));
 
-RC_GTEST_PROP(HumerusRotation, PointsWhereItIsTold, ()) {
-  const double theta_rad = *NumberWithin(0, kPi);
-  const double psi_rad = *NumberWithin(-kPi, kPi);
-  const double tau_rad = *NumberWithin(-kPi, kPi);
-  const auto q = HumerusRotation(theta_rad, psi_rad, tau_rad);
-  const Quaternion q_TH(q.w, q.x, q.y, q.z);
-  RC_ASSERT(glm::length(q_TH * Vector3(0, -1, 0) - ArmDirection(theta_rad, psi_rad)) < kRounding);
-}
-
-// The smallest rotation has its axis across both directions, and a turn by tau about y is first.
-RC_GTEST_PROP(HumerusRotation, IsTheSmallestRotationThereAfterTheTurn, ()) {
-  const double theta_rad = *NumberWithin(0, kPi);
-  const double psi_rad = *NumberWithin(-kPi, kPi);
-  const double tau_rad = *NumberWithin(-kPi, kPi);
-  const Vector3 axis(-std::cos(psi_rad), 0, std::sin(psi_rad));
-  const Quaternion expected = Exp(theta_rad * axis) * Exp(Vector3(0, tau_rad, 0));
-  const auto q = HumerusRotation(theta_rad, psi_rad, tau_rad);
-  RC_ASSERT(AngleBetween({q.w, q.x, q.y, q.z}, expected) < kRounding);
-}
-
-RC_GTEST_PROP(HumerusRotation, HasTheIsbAnglesThatTheHeaderSays, ()) {
-  const double theta_rad = *NumberWithin(0, kPi);
-  const double psi_rad = *NumberWithin(-kPi, kPi);
-  const double tau_rad = *NumberWithin(-kPi, kPi);
-  const auto q = HumerusRotation(theta_rad, psi_rad, tau_rad);
-  const Quaternion expected =
-      QuaternionFromEuler(EulerSequence::kYXY, {psi_rad, -theta_rad, tau_rad - psi_rad});
-  RC_ASSERT(AngleBetween({q.w, q.x, q.y, q.z}, expected) < kRounding);
-}
-
 }  // namespace
 }  // namespace girdle::arm_directions_test

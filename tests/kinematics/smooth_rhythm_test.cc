@@ -20,6 +20,7 @@
 
 #include "kinematics/arm_commands.h"
 #include "kinematics/cubic_spline.h"
+#include "kinematics/humerus_rotation.h"
 #include "kinematics/random_rotations.h"
 #include "kinematics/shipped_data.h"
 

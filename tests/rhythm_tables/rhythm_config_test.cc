@@ -19,6 +19,7 @@
 #include "rhythm_tables/built_in_tables.h"
 #include "rhythm_tables/rhythm_table_csv.h"
 #include "text/csv_text.h"
+#include "text/input_error.h"
 
 namespace girdle::rhythm_config_test {
 namespace {
@@ -152,7 +153,7 @@ class FlawedConfig : public testing::TestWithParam<ConfigFlaw> {};
 TEST_P(FlawedConfig, IsRefusedWithKeyValueAndFix) {
   RhythmConfigText text = ValidText();
   GetParam().change(text);
-  EXPECT_EQ(MessageOf<std::runtime_error>([&] { static_cast<void>(ParseRhythmConfig(text)); }),
+  EXPECT_EQ(MessageOf<InputError>([&] { static_cast<void>(ParseRhythmConfig(text)); }),
             GetParam().message);
 }
 
@@ -199,7 +200,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(RhythmConfig, SaysWhichKeyHoldsABrokenTable) {
   RhythmConfigText text = ValidText();
   text.table.replace(text.table.find(";0,20,") + 1, 5, "0,2O,");
-  EXPECT_EQ(MessageOf<std::runtime_error>([&] { static_cast<void>(ParseRhythmConfig(text)); }),
+  EXPECT_EQ(MessageOf<InputError>([&] { static_cast<void>(ParseRhythmConfig(text)); }),
             "config key \"table\":3: elevation_deg is '2O', expected a finite number such as 22.5");
 }
 
@@ -207,7 +208,7 @@ TEST(RhythmConfig, TakesAWordThatNamesNoTableForATable) {
   RhythmConfigText text = ValidText();
   text.table = "Measured";
   const std::string message =
-      MessageOf<std::runtime_error>([&] { static_cast<void>(ParseRhythmConfig(text)); });
+      MessageOf<InputError>([&] { static_cast<void>(ParseRhythmConfig(text)); });
   EXPECT_EQ(message.rfind("config key \"table\"", 0), 0U) << message;
 }
 
@@ -242,8 +243,7 @@ TEST_P(ConfiguredRhythmRefusal, SaysWhatDoesNotGoTogether) {
   RhythmConfigText text = ValidText();
   GetParam().change(text);
   std::string message;
-  ASSERT_NO_THROW(message =
-                      MessageOf<std::runtime_error>([&] { static_cast<void>(RhythmOf(text)); }));
+  ASSERT_NO_THROW(message = MessageOf<InputError>([&] { static_cast<void>(RhythmOf(text)); }));
   EXPECT_EQ(message.rfind(GetParam().message, 0), 0U) << message;
 }
 

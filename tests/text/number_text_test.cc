@@ -6,12 +6,14 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <limits>
 #include <locale>
 #include <optional>
@@ -20,6 +22,7 @@
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 #include "kinematics/random_rotations.h"
 
@@ -52,7 +55,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(NumberCase{"0", 0}, NumberCase{"4", 4}, NumberCase{"-22.5", -22.5},
                     NumberCase{"+1", 1}, NumberCase{"+.5", 0.5}, NumberCase{"5.", 5},
                     NumberCase{"1e5", 1e5}, NumberCase{"1E5", 1e5}, NumberCase{"-1.5e-3", -1.5e-3},
-                    NumberCase{"1e+05", 1e5}, NumberCase{"007", 7},
+                    NumberCase{"1e+05", 1e5}, NumberCase{"007", 7}, NumberCase{"0e5", 0},
+                    NumberCase{"0.00e-999", 0}, NumberCase{"0e99999999999999999999", 0},
                     NumberCase{"1.7976931348623157e308", std::numeric_limits<double>::max()},
                     NumberCase{"2.2250738585072014e-308", std::numeric_limits<double>::min()},
                     NumberCase{"5e-324", std::numeric_limits<double>::denorm_min()},
@@ -67,8 +71,78 @@ INSTANTIATE_TEST_SUITE_P(Texts, RefusedNumber,
                                          "inf", "+inf", "-inf", "infinity", " 1", "1 ", "\t1",
                                          "1\n", "+", "-", "+-1", "-+1", "++1", "--1", "+ 1", "1,5",
                                          "1.2.3", "0x10", "1e", "1e+", "e5", ".", "1e400", "-1e400",
-                                         "1e-400", "1f", "1_000", "one",
+                                         "1e-400", "-1e-400", "2e-324", "0.0000001e-320",
+                                         "1e99999999999999999999", "1f", "1_000", "one",
                                          std::string_view("1\0", 2)));
+
+// What FiniteNumber has to do, by the standard library, which not every compiler's has.
+std::optional<double> FromChars(std::string_view text) {
+  if (text.size() > 1 && text.front() == '+' && text[1] != '-' && text[1] != '+') {
+    text.remove_prefix(1);
+  }
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool is_whole = end == text.data() + text.size();
+  return error == std::errc() && is_whole && std::isfinite(value) ? std::optional(value)
+                                                                  : std::nullopt;
+}
+
+// Bits of a number; of none those of a NaN, which is never read.
+std::uint64_t Bits(const std::optional<double>& number) {
+  return std::bit_cast<std::uint64_t>(number.value_or(std::nan("")));
+}
+
+// Numbers of any length and size: the doubles are from 1e-323 to 1e308.
+rc::Gen<std::string> NumberLikeText() {
+  return rc::gen::exec([] {
+    const auto digits = rc::gen::container<std::string>(
+        rc::gen::weightedOneOf<char>({{1, rc::gen::just('0')}, {2, rc::gen::inRange('0', ':')}}));
+    std::string text = *rc::gen::element<std::string>("", "", "-", "+") + *digits;
+    if (*rc::gen::arbitrary<bool>()) text += "." + *digits;
+    if (*rc::gen::arbitrary<bool>()) {
+      text += *rc::gen::element<std::string>("e", "E") +
+              *rc::gen::element<std::string>("", "-", "-", "+") +
+              std::to_string(*rc::gen::inRange(0, 400));
+    }
+    return text;
+  });
+}
+
+RC_GTEST_PROP(FiniteNumber, IsThatOfTheStandardLibrary, ()) {
+  const std::string text = *NumberLikeText();
+  RC_CLASSIFY(FromChars(text).has_value(), "accepted");
+  RC_ASSERT(Bits(FiniteNumber(text)) == Bits(FromChars(text)));
+}
+
+RC_GTEST_PROP(FiniteNumber, RefusesWhatTheStandardLibraryRefuses, ()) {
+  // One character more, less or another.
+  constexpr std::string_view kCharacters("0123456789+-.eEpPxXnaif()_', \0", 29);
+  std::string text = *NumberLikeText();
+  const std::size_t at = *rc::gen::inRange<std::size_t>(0, text.size() + 1);
+  const std::string put(*rc::gen::inRange<std::size_t>(0, 2),
+                        *rc::gen::elementOf(std::string(kCharacters)));
+  text.replace(at, std::min(*rc::gen::inRange<std::size_t>(0, 2), text.size() - at), put);
+  RC_CLASSIFY(FromChars(text).has_value(), "accepted");
+  RC_ASSERT(Bits(FiniteNumber(text)) == Bits(FromChars(text)));
+}
+
+// Where rounding is hardest: half way between two doubles, and a digit far behind beside it.
+RC_GTEST_PROP(FiniteNumber, IsRoundedToTheNearestDouble, ()) {
+  const double number = *AnyFiniteNumber();
+  std::array<char, 1200> buffer{};
+  // The double above has one bit more; 53 + 1 bits are exact in this type.
+  const long double half_way =
+      (static_cast<long double>(number) +
+       static_cast<long double>(std::nextafter(number, std::numeric_limits<double>::infinity()))) /
+      2;
+  RC_PRE(std::isfinite(half_way));
+  const int length = std::snprintf(buffer.data(), buffer.size(), "%.780Le", half_way);
+  RC_PRE(length > 0);
+  std::string text(buffer.data(), static_cast<std::size_t>(length));
+  const int beside = *rc::gen::inRange(0, 3);
+  if (beside > 0) text[text.find('e') - 1] = beside == 1 ? '1' : '9';
+  RC_ASSERT(Bits(FiniteNumber(text)) == Bits(FromChars(text)));
+}
 
 RC_GTEST_PROP(NumberText, ReadsBackAsTheSameBits, ()) {
   const double number = *AnyFiniteNumber();

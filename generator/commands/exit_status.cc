@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "commands/exit_status.h"
+
+#include <cxxabi.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <new>
+#include <typeinfo>
+
+#include "text/input_error.h"
+
+namespace girdle {
+namespace {
+
+constexpr const char* kWhatToReport =
+    "Please report it with this message, the command line, the files that it reads and the "
+    "version, girdle " GIRDLE_VERSION ".\n";
+
+// Type of an exception as C++ has it.
+void PrintType(const std::exception& exception, std::ostream& out) {
+  const char* const mangled = typeid(exception).name();
+  int status = 0;
+  const std::unique_ptr<char, decltype(&std::free)> name(
+      abi::__cxa_demangle(mangled, nullptr, nullptr, &status), &std::free);
+  out << (status == 0 ? name.get() : mangled);
+}
+
+}  // namespace
+
+int ReportException(const std::exception_ptr& exception, std::ostream& out) {
+  // Pieces go out one by one: putting them together takes memory, which may be what is missing.
+  out << "girdle: ";
+  try {
+    std::rethrow_exception(exception);
+  } catch (const InputError& error) {
+    out << error.what() << "\n";
+    return kBadInput;
+  } catch (const std::filesystem::filesystem_error& error) {
+    out << error.what() << "\n";
+    return kBadInput;
+  } catch (const std::bad_alloc&) {
+    out << "the memory is used up. Unless the input is larger than the memory, this is a fault of "
+           "Girdle. "
+        << kWhatToReport;
+  } catch (const std::exception& error) {
+    out << "this is a fault of Girdle, not of the input: ";
+    PrintType(error, out);
+    out << ": " << error.what() << "\n" << kWhatToReport;
+  } catch (...) {
+    out << "this is a fault of Girdle, not of the input: an exception of no known type\n"
+        << kWhatToReport;
+  }
+  return kFaultOfGirdle;
+}
+
+}  // namespace girdle

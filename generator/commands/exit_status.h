@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+/// How the program ends.
+#pragma once
+
+#include <exception>
+#include <ostream>
+
+namespace girdle {
+
+/// Exit statuses of the program. They are public: scripts act on them.
+inline constexpr int kFine = 0;
+inline constexpr int kAboveTolerance = 1;  ///< a residual or a check; its report is printed
+inline constexpr int kBadInput = 2;        ///< or bad usage, or an output that cannot be written
+inline constexpr int kFaultOfGirdle = 3;   ///< nothing that the user gave is to blame
+
+/// Says on `out` what an exception that ends the program is about, and returns the exit status.
+///
+/// InputError is about what the user gave, and so is std::filesystem::filesystem_error, which names
+/// a path that the system refuses. Every other exception is a fault of Girdle: its type is printed
+/// with its message, and what to report. Precondition: `exception` is not null.
+[[nodiscard]] int ReportException(const std::exception_ptr& exception, std::ostream& out);
+
+}  // namespace girdle

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+/// All of Girdle that other projects may use: solving poses, reading tables, the anatomy that is
+/// built in, names in models, and writing models. What these headers declare stays as it is from
+/// one minor version to the next; generator/README.md lists them.
+///
+///     #include <girdle/girdle.h>
+///
+///     const girdle::ShoulderRhythm rhythm = girdle::BuiltInRhythm();
+///     const girdle::ShoulderPose pose =
+///         rhythm.SolvePose({.elevation_rad = girdle::RadiansFromDegrees(90)});
+///
+/// Reading and building throw InputError (text/input_error.h) or std::invalid_argument, whose
+/// message says what to mend. Solving never fails, allocates nothing and may run in any number of
+/// threads at the same time.
+#pragma once
+
+// IWYU pragma: begin_exports
+#include "anatomy/anatomy.h"
+#include "anatomy/built_in_anatomy.h"
+#include "anatomy/postures.h"
+#include "kinematics/arm_directions.h"
+#include "kinematics/assembly.h"
+#include "kinematics/rhythm_table.h"
+#include "kinematics/rotation.h"
+#include "kinematics/shoulder_pose.h"
+#include "kinematics/shoulder_rhythm.h"
+#include "mjcf/scene.h"
+#include "mjcf/shoulder_model.h"
+#include "names/model_names.h"
+#include "rhythm_tables/built_in_tables.h"
+#include "rhythm_tables/rhythm_table_csv.h"
+#include "text/input_error.h"
+// IWYU pragma: end_exports

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+/// The humerus's rotation in the thorax from the direction that it points in.
+#pragma once
+
+#include "kinematics/rotation_algebra.h"
+
+namespace girdle {
+
+/// Humerus in thorax with the direction (theta, psi), turned by tau about its long axis:
+///
+///     q_TH = S(theta, psi) Ry(tau),  S the smallest rotation that takes the hanging arm (-y) there
+///
+/// In ISB angles it is Y(psi) X(-theta) Y(tau - psi). T is a scalar of jet.h.
+template <typename T>
+[[nodiscard]] QuaternionOf<T> HumerusRotation(const T& theta_rad, const T& psi_rad,
+                                              const T& tau_rad) noexcept {
+  const T half_theta = 0.5 * theta_rad;
+  const T half_tau = 0.5 * tau_rad;
+  const T across = psi_rad - half_tau;
+  const T cosine = Cos(half_theta);
+  const T sine = Sin(half_theta);
+  return {cosine * Cos(half_tau), -(sine * Cos(across)), cosine * Sin(half_tau),
+          sine * Sin(across)};
+}
+
+/// The same for numbers, in less time. Precondition: the angles are finite and of some turns at
+/// most.
+[[nodiscard]] QuaternionOf<double> HumerusRotation(double theta_rad, double psi_rad,
+                                                   double tau_rad) noexcept;
+
+}  // namespace girdle

@@ -1,0 +1,79 @@
+# SPDX-FileCopyrightText: 2026 The Girdle authors
+# SPDX-License-Identifier: Apache-2.0
+"""How the program ends where it is not the user's fault; the other ends are tested with the verbs."""
+
+from __future__ import annotations
+
+import json
+import os
+import resource
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+MEBIBYTE = 1 << 20
+TABLE = Path(__file__).resolve().parents[2] / "data" / "ludewig2009.csv"
+
+
+def test_help_says_what_each_exit_status_means(program: Path) -> None:
+    result = subprocess.run([program, "--help"], capture_output=True, text=True, check=True)
+    text = " ".join(result.stdout.split())
+    assert "0 all is well, 1 a residual" in text
+    assert "2 the command line or a file cannot be used, 3 a fault of Girdle" in text
+
+
+@pytest.mark.parametrize("option", ["--in", "--table"])
+def test_memory_that_is_used_up_is_not_called_bad_input(
+    program: Path, tmp_path: Path, option: str
+) -> None:
+    endless_line = tmp_path / "line.csv"
+    with endless_line.open("wb") as file:
+        file.truncate(1024 * MEBIBYTE)  # takes no room on the disk
+
+    def limit_memory() -> None:
+        resource.setrlimit(resource.RLIMIT_AS, (200 * MEBIBYTE, 200 * MEBIBYTE))
+
+    place = ["--out", "/dev/null"] if option == "--in" else ["--elevation", "30", "--plane", "0"]
+    result = subprocess.run(
+        [program, "solve", option, endless_line, *place],
+        preexec_fn=limit_memory,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert result.returncode == 3, result.stderr
+    assert result.stdout == ""
+    assert result.stderr.startswith("girdle: the memory is used up. ")
+    assert "this is a fault of Girdle" in result.stderr
+    assert "Please report it" in result.stderr
+
+
+@pytest.fixture(scope="module")
+def strange_folder(program: Path, tmp_path_factory: pytest.TempPathFactory) -> bytes:
+    """A folder with a model and a table whose names no JSON can hold: they are not UTF-8."""
+    folder = os.fsencode(tmp_path_factory.mktemp("strange")) + b"/\xff"
+    subprocess.run([program, "generate", "--out", folder], capture_output=True, check=True)
+    shutil.copy(TABLE, folder + b"/table.csv")
+    return folder
+
+
+@pytest.mark.parametrize(
+    ("command", "file"),
+    [
+        (["generate", "--out"], b""),
+        (["simulate", "--raise", "15:16", "--seconds", "0.01", "--trace", "/dev/null"], b"/scene.xml"),
+        (["thorax", "--table"], b"/table.csv"),
+        (["verify"], b"/scene.xml"),
+    ],
+    ids=lambda value: value[0] if isinstance(value, list) else "",
+)
+def test_names_that_are_not_utf_8_are_no_fault(
+    program: Path, strange_folder: bytes, command: list[str], file: bytes
+) -> None:
+    result = subprocess.run(
+        [program, *command, strange_folder + file, "--json"], capture_output=True, check=False
+    )
+    assert (result.returncode, result.stderr) == (0, b"")
+    assert "\N{REPLACEMENT CHARACTER}" in json.dumps(json.loads(result.stdout), ensure_ascii=False)
