@@ -26,10 +26,13 @@
 #include "kinematics/rotation.h"
 #include "kinematics/shoulder_pose.h"
 #include "kinematics/shoulder_rhythm.h"
+#include "kinematics/words.h"
 #include "mjcf/scene.h"
 #include "mjcf/shoulder_model.h"
 #include "names/model_names.h"
+#include "names/side.h"
 #include "rhythm_tables/built_in_tables.h"
+#include "rhythm_tables/rhythm_choice.h"
 #include "rhythm_tables/rhythm_table_csv.h"
 #include "text/input_error.h"
 // IWYU pragma: end_exports

@@ -3,10 +3,10 @@
 
 #include "commands/skin_continuity.h"
 
-#include <cmath>
 #include <string_view>
 
 #include "kinematics/lengths.h"
+#include "kinematics/worst_case.h"
 #include "text/number_text.h"
 #include "text/text_columns.h"
 
@@ -20,17 +20,20 @@ std::string SkinPlace(std::string_view landmark, const ArmCommand& command) {
          RoundedText(DegreesFromRadians(command.plane_rad), kDecimals);
 }
 
-// The largest, from landmarks' values and how many mm/deg one of them is. A NaN is the largest.
+struct LandmarkPlace {
+  std::string_view landmark;
+  ArmCommand command;
+};
+
+// The largest, from landmarks' values and how many mm/deg one of them is.
 SkinFigure LargestOf(const LandmarkLargest& values, bool ac_skin_only, double mm_per_deg) {
-  SkinFigure largest{-1, ""};
+  WorstCase<LandmarkPlace> largest;
   for (std::size_t k = 0; k < kSkinLandmarkCount; ++k) {
-    const double value = mm_per_deg * values[k].value;
-    if ((!ac_skin_only || IsAcSkin(k)) && !(value <= largest.value_mm_per_deg) &&
-        !std::isnan(largest.value_mm_per_deg)) {
-      largest = {value, SkinPlace(kSkinLandmarkNames[k], values[k].command)};
+    if (!ac_skin_only || IsAcSkin(k)) {
+      largest.Add(mm_per_deg * values[k].value(), kSkinLandmarkNames[k], values[k].place());
     }
   }
-  return largest;
+  return {largest.value(), SkinPlace(largest.place().landmark, largest.place().command)};
 }
 
 }  // namespace

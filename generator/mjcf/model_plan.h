@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "kinematics/assembled_rhythm.h"
 #include "mjcf/shoulder_model.h"
 
 namespace girdle {
