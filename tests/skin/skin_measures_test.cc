@@ -15,6 +15,7 @@
 
 #include "anatomy/built_in_anatomy.h"
 #include "anatomy/posed_bones.h"
+#include "kinematics/one_sided_difference.h"
 #include "rhythm_tables/built_in_tables.h"
 #include "skin/bone_heat.h"
 #include "skin/bone_shapes.h"
@@ -274,6 +275,46 @@ TEST(LargestJumps, OfAKinkIsTheChangeOfSpeedTimesTheRadius) {
       landmarks, [&](const ArmCommand& at) { return Turned(angle_rad(at.elevation_rad)); }, table,
       Direction::kPlane);
   EXPECT_LT(across[0].value(), kDifferences_m_per_rad);
+}
+
+// The formulas' orders: of a cubic the third is exact, and a coarse step changes nothing.
+TEST(LargestJumps, AreTheSameByAnyStepWhereTheMotionIsAsSimpleAsTheFormula) {
+  const ArmCommand place{1, 0.5};
+  const LandmarkFunction cubic = [](const ArmCommand& at) {
+    const double x = at.elevation_rad - 1;
+    const double bend = x > 0 ? 0.3 * x + 2 * x * x - x * x * x : 0.1 * x * x + 5 * x * x * x;
+    SkinLandmarkPlaces places;
+    places.fill({bend, 0, 0});
+    return places;
+  };
+  for (const double step_rad : {1e-3, 0.02, 0.1}) {
+    const LandmarkLargest jumps = LargestJumps_m_per_rad(cubic, Direction::kElevation, {place},
+                                                         {kOneSidedFirstOfCoarse, step_rad});
+    EXPECT_NEAR(jumps[0].value, 0.3, 1e-10) << step_rad;
+    EXPECT_EQ(jumps[0].command, place);
+  }
+}
+
+TEST(LargestJumps, AreOfThePlacesAskedForAlone) {
+  const LandmarkFunction kinked = [](const ArmCommand& at) {
+    SkinLandmarkPlaces places;
+    places.fill({0, std::max(0.0, at.plane_rad - 0.5), 0});
+    return places;
+  };
+  const SkinDifference difference{kOneSidedFirst, 0.01};
+  EXPECT_NEAR(
+      LargestJumps_m_per_rad(kinked, Direction::kPlane, {{1, 0.2}, {1, 0.5}}, difference)[0].value,
+      1, 1e-10);
+  EXPECT_EQ(LargestJumps_m_per_rad(kinked, Direction::kPlane, {{1, 0.2}}, difference)[0].value, 0);
+  EXPECT_EQ(LargestJumps_m_per_rad(kinked, Direction::kElevation, {{1, 0.5}}, difference)[0].value,
+            0);
+}
+
+TEST(IsAcSkin, AreTheLandmarksOverTheJointAndTheAcromion) {
+  const std::vector<bool> expected = {true, true, false, false, false};
+  for (std::size_t k = 0; k < kSkinLandmarkCount; ++k) {
+    EXPECT_EQ(IsAcSkin(k), expected[k]) << kSkinLandmarkNames[k];
+  }
 }
 
 TEST(LargestJumps, SeeAKinkOverPlanes) {
