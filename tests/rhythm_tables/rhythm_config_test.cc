@@ -230,8 +230,7 @@ TEST_P(ConfiguredRhythmRefusal, SaysWhatDoesNotGoTogether) {
   RhythmConfigText text = ValidText();
   GetParam().change(text);
   std::string message;
-  ASSERT_NO_THROW(message =
-                      MessageOf<InputError>([&] { static_cast<void>(RhythmOf(text)); }));
+  ASSERT_NO_THROW(message = MessageOf<InputError>([&] { static_cast<void>(RhythmOf(text)); }));
   EXPECT_EQ(message.rfind(GetParam().message, 0), 0U) << message;
 }
 
