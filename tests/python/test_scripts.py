@@ -179,6 +179,19 @@ def test_an_include_that_runs_up_is_named_with_its_line(rooms: Path) -> None:
     assert checked.stdout == f"{rooms}/above/c.cc:2: `above` does not use `below` (README.md)\n"
 
 
+def test_a_public_header_that_includes_one_that_is_not_is_named(rooms: Path) -> None:
+    umbrella = rooms / "girdle.h"
+    umbrella.write_text('#include "below/b.h"\n')
+    checked = check_rooms(rooms)
+    assert checked.returncode == 1
+    assert (
+        checked.stdout
+        == f"{rooms}/below/b.h:1: is public (girdle.h), and above/a.h is not installed with it\n"
+    )
+    umbrella.write_text('#include "above/a.h"\n#include "below/b.h"\n')
+    assert check_rooms(rooms).returncode == 0
+
+
 def test_a_room_that_is_not_in_the_table_is_named(rooms: Path) -> None:
     (rooms / "new").mkdir()
     checked = check_rooms(rooms)
