@@ -7,7 +7,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <random>
+#include <sstream>
+#include <string>
+
+#include "text/csv.h"
 
 namespace girdle::trace_test {
 namespace {
@@ -44,6 +49,45 @@ TEST(Trace, HasCommandsAndDistanceInDegrees) {
   std::string row;
   AppendTraceRow(row, state);
   EXPECT_TRUE(row.starts_with("0.5,90,45,22.5,11.25,-45,90,0,")) << row;
+}
+
+// Of a state whose values are all different.
+TEST(Trace, HasEachValueUnderItsName) {
+  ShoulderState state;
+  for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+    state.target_rad[k] = RadiansFromDegrees(static_cast<double>(k + 1));
+    state.position_rad[k] = RadiansFromDegrees(static_cast<double>(k + 101));
+  }
+  for (std::size_t i = 0; i < kSegmentCount; ++i) {
+    const auto q = static_cast<double>(10 * i);
+    state.q_WB[i] = Quaternion(q + 0.25, q + 1, q + 2, q + 3);
+  }
+  for (std::size_t i = 0; i < kSiteCount; ++i) {
+    const auto p = static_cast<double>(1000 * i);
+    state.site_m[i] = {p + 0.5, p + 1, p + 2};
+  }
+  std::string row;
+  AppendTraceRow(row, state);
+  std::istringstream in(TraceHeader(Assembly::kLoop) + row);
+  CsvReader csv(in, "trace");
+  ASSERT_TRUE(csv.Next());
+  const auto value = [&csv](const std::string& column) { return csv.Number(csv.Column(column)); };
+  // Through radians and back.
+  constexpr double kRounding_deg = 1e-13;
+  const auto driven = DrivenCoordinates(Assembly::kLoop);
+  for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+    const std::string name = std::string(driven[k]) + "_deg";
+    EXPECT_NEAR(value("target_" + name), static_cast<double>(k + 1), kRounding_deg);
+    EXPECT_NEAR(value(name), static_cast<double>(k + 101), kRounding_deg);
+  }
+  EXPECT_EQ(value("clavicle_qw"), 10.25);
+  EXPECT_EQ(value("scapula_qx"), 21);
+  EXPECT_EQ(value("humerus_qz"), 33);
+  for (std::size_t i = 0; i < kSiteCount; ++i) {
+    const std::string name(SiteStem(i));
+    EXPECT_EQ(value(name + "_x_m"), static_cast<double>(1000 * i) + 0.5);
+    EXPECT_EQ(value(name + "_z_m"), static_cast<double>(1000 * i) + 2);
+  }
 }
 
 TEST(ReplayableCommand, HasAllOfACommand) {
