@@ -32,7 +32,7 @@ enum class Worse {
 };
 
 /// Values that are added one by one. `Place` says where a value is: a command, a row of a table.
-template <typename Place, Worse kWorse = Worse::kLargerMagnitude>
+template <typename Place, Worse Rule = Worse::kLargerMagnitude>
 class WorstCase {
  public:
   /// Adds a value. The place is made from `place` only if the value is the worst so far.
@@ -60,7 +60,7 @@ class WorstCase {
 
  private:
   [[nodiscard]] bool IsWorst(double value) const noexcept {
-    if constexpr (kWorse == Worse::kSmaller) {
+    if constexpr (Rule == Worse::kSmaller) {
       return value < worst_ || (std::isnan(value) && !std::isnan(worst_));
     } else {
       return IsWorse(value, worst_);

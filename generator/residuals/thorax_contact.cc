@@ -52,7 +52,8 @@ class ThoraxContactGroup : public ResidualGroup {
     const double depth_mm = kMillimetersPerMeter * state.contact_depth_m;
     add(force_N_, state.contact_force_N);
     add(depth_mm_, depth_mm);
-    if (state.contact_depth_m > kDeepContact_m) {
+    // A depth that is not a number counts as deep.
+    if (!(state.contact_depth_m <= kDeepContact_m)) {
       add(stiffness_off_N_per_mm_, state.contact_force_N / depth_mm - kContactStiffness_N_per_mm);
     }
     add(surface_off_mm_, depth_mm - DepthInEllipsoid_mm(state));
