@@ -103,7 +103,7 @@ void ExpectRhythm(const LoadedShoulders& simulation, const RhythmChoice& said) {
     refuse("range than " + std::string(Name(*wanted.options.range)));
   }
   if (said.table && RhythmTableToLine(own.table) != RhythmTableToLine(wanted.table)) {
-    refuse("table than " + NameOf(*said.table));
+    refuse("table than " + TableName(*said.table));
   }
 }
 

@@ -28,7 +28,7 @@ TableChoice TableFromWordOrLine(const std::string& text, const std::string& plac
   return ReadTable{RhythmTableFromLine(text, place)};
 }
 
-std::string NameOf(const TableChoice& table) {
+std::string TableName(const TableChoice& table) {
   if (const auto* const read = std::get_if<ReadTable>(&table)) {
     return read->file.empty() ? "the model's own" : read->file;
   }

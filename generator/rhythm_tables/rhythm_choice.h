@@ -39,7 +39,7 @@ using TableChoice = std::variant<BuiltInTable, ReadTable>;
 [[nodiscard]] TableChoice TableFromWordOrLine(const std::string& text, const std::string& place);
 
 /// Returns what reports call a table: its word, its file, or "the model's own".
-[[nodiscard]] std::string NameOf(const TableChoice& table);
+[[nodiscard]] std::string TableName(const TableChoice& table);
 
 /// What was said of a rhythm; what was not is empty.
 struct RhythmChoice {
@@ -68,7 +68,7 @@ struct ResolvedRhythm {
   TableChoice chosen_table;  ///< which one `table` is
   RhythmOptions options;     ///< with a range
 
-  [[nodiscard]] std::string table_name() const { return NameOf(chosen_table); }
+  [[nodiscard]] std::string table_name() const { return TableName(chosen_table); }
   /// Returns the built-in table that `table` is; nothing if it was read.
   [[nodiscard]] std::optional<BuiltInTable> built_in() const noexcept;
   /// Returns what reports say of the rhythm: TextOf its options, `, table measured`.

@@ -290,8 +290,8 @@ TEST(LargestJumps, AreTheSameByAnyStepWhereTheMotionIsAsSimpleAsTheFormula) {
   for (const double step_rad : {1e-3, 0.02, 0.1}) {
     const LandmarkLargest jumps = LargestJumps_m_per_rad(cubic, Direction::kElevation, {place},
                                                          {kOneSidedFirstOfCoarse, step_rad});
-    EXPECT_NEAR(jumps[0].value, 0.3, 1e-10) << step_rad;
-    EXPECT_EQ(jumps[0].command, place);
+    EXPECT_NEAR(jumps[0].value(), 0.3, 1e-10) << step_rad;
+    EXPECT_EQ(jumps[0].place(), place);
   }
 }
 
@@ -302,12 +302,13 @@ TEST(LargestJumps, AreOfThePlacesAskedForAlone) {
     return places;
   };
   const SkinDifference difference{kOneSidedFirst, 0.01};
-  EXPECT_NEAR(
-      LargestJumps_m_per_rad(kinked, Direction::kPlane, {{1, 0.2}, {1, 0.5}}, difference)[0].value,
-      1, 1e-10);
-  EXPECT_EQ(LargestJumps_m_per_rad(kinked, Direction::kPlane, {{1, 0.2}}, difference)[0].value, 0);
-  EXPECT_EQ(LargestJumps_m_per_rad(kinked, Direction::kElevation, {{1, 0.5}}, difference)[0].value,
+  EXPECT_NEAR(LargestJumps_m_per_rad(kinked, Direction::kPlane, {{1, 0.2}, {1, 0.5}}, difference)[0]
+                  .value(),
+              1, 1e-10);
+  EXPECT_EQ(LargestJumps_m_per_rad(kinked, Direction::kPlane, {{1, 0.2}}, difference)[0].value(),
             0);
+  EXPECT_EQ(
+      LargestJumps_m_per_rad(kinked, Direction::kElevation, {{1, 0.5}}, difference)[0].value(), 0);
 }
 
 TEST(IsAcSkin, AreTheLandmarksOverTheJointAndTheAcromion) {
