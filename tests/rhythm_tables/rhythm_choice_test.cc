@@ -45,7 +45,7 @@ RhythmChoice Said(const RhythmChoice& all, unsigned bits) {
 }
 
 std::optional<std::string> TableName(const RhythmChoice& choice) {
-  return choice.table ? std::optional(NameOf(*choice.table)) : std::nullopt;
+  return choice.table ? std::optional(TableName(*choice.table)) : std::nullopt;
 }
 
 TEST(Over, TakesWhatTheFirstSaysAndElseWhatTheSecondSays) {
@@ -117,7 +117,7 @@ TEST(Resolve, FillsInTheDefaultsOfEveryCombination) {
           EXPECT_EQ(resolved.options.closure, closure.value_or(Closure::kExact));
           EXPECT_EQ(resolved.options.range,
                     range.value_or(is_smooth && is_exact ? Range::kWhole : Range::kClamp));
-          const std::string name = table       ? NameOf(*table)
+          const std::string name = table       ? TableName(*table)
                                    : is_smooth ? std::string("destepped")
                                                : std::string("measured");
           EXPECT_EQ(resolved.table_name(), name);
@@ -186,7 +186,7 @@ TEST(TableFromWordOrLine, IsTheBuiltInTableOfAWordAndElseTheLine) {
   EXPECT_EQ(std::get<BuiltInTable>(TableFromWordOrLine("measured", "place")),
             BuiltInTable::kMeasured);
   const TableChoice own = TableFromWordOrLine(RhythmTableToLine(SmallTable()), "place");
-  EXPECT_EQ(NameOf(own), "the model's own");
+  EXPECT_EQ(TableName(own), "the model's own");
   EXPECT_EQ(RhythmTableToLine(std::get<ReadTable>(own).table), RhythmTableToLine(SmallTable()));
 }
 
@@ -194,7 +194,7 @@ TEST(TableFromWordOrFile, IsTheBuiltInTableOfAWordAndElseThatOfTheFile) {
   EXPECT_EQ(std::get<BuiltInTable>(TableFromWordOrFile("destepped")), BuiltInTable::kDestepped);
   const std::string path = std::string(GIRDLE_SOURCE_DIR) + "/data/ludewig2009.csv";
   const TableChoice read = TableFromWordOrFile(path);
-  EXPECT_EQ(NameOf(read), path);
+  EXPECT_EQ(TableName(read), path);
   EXPECT_EQ(RhythmTableToLine(std::get<ReadTable>(read).table),
             RhythmTableToLine(BuiltInRhythmTable(BuiltInTable::kMeasured)));
 }
