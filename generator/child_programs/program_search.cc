@@ -30,7 +30,7 @@ bool IsProgram(const std::filesystem::path& file) {
 
 std::filesystem::path FindProgram(const std::string& name) {
   for (const std::filesystem::path& folder : FoldersOf("PATH")) {
-    if (const std::filesystem::path file = folder / name; IsProgram(file)) {
+    if (std::filesystem::path file = folder / name; IsProgram(file)) {
       return file;
     }
   }

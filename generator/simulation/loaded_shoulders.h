@@ -38,10 +38,8 @@ class LoadedShoulders {
   [[nodiscard]] bool has_plugin() const noexcept { return shoulders_.front().has_plugin(); }
   /// Of the hinges that are driven; unbounded where the model gives no range.
   [[nodiscard]] const JointRanges& ranges() const noexcept { return ranges_; }
-  /// Of the servos; 0 for what follows.
-  [[nodiscard]] const JointAngles& stiffness_N_m_per_rad() const noexcept {
-    return stiffness_N_m_per_rad_;
-  }
+  /// Stiffness of the servos [N m/rad]; 0 for what follows.
+  [[nodiscard]] const JointAngles& stiffness() const noexcept { return stiffness_N_m_per_rad_; }
   [[nodiscard]] double timestep_s() const noexcept { return model_->opt.timestep; }
   [[nodiscard]] const std::string& name() const noexcept { return name_; }
 

@@ -244,7 +244,7 @@ void ShoulderSimulation::AddThoraxContact(ShoulderState& state) const {
   }
   const std::vector<double> torques = PushingTorques();
   const auto coordinates = DrivenCoordinates(elements().assembly);
-  const JointAngles& stiffness_N_m_per_rad = loaded_.stiffness_N_m_per_rad();
+  const JointAngles& stiffness_N_m_per_rad = loaded_.stiffness();
   for (std::size_t k = 0; k < kCoordinateCount; ++k) {
     if (stiffness_N_m_per_rad[k] > 0) {
       const int joint =

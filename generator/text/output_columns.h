@@ -50,8 +50,8 @@ struct OutputColumns {
   Cell (*value)(const Row& row, std::size_t k);
 };
 
-/// The columns of one output, with numbers as `append_number` writes them.
-template <typename Row, void (*append_number)(std::string& text, double number)>
+/// The columns of one output, with numbers as `WriteNumber` appends them.
+template <typename Row, void (*WriteNumber)(std::string& text, double number)>
 class WrittenColumns {
  public:
   template <typename Options, std::size_t N>
@@ -86,7 +86,7 @@ class WrittenColumns {
       is_first = false;
       const Cell cell = value.of(row, value.k);
       if (const auto* const number = std::get_if<double>(&cell)) {
-        append_number(text, *number);
+        WriteNumber(text, *number);
       } else {
         text += *std::get_if<std::string_view>(&cell);
       }
