@@ -137,6 +137,9 @@ constexpr double kBlend_mm = 14;
 constexpr double kEdge_mm = 4;
 // Around all solids, in cells.
 constexpr double kMargin = 3;
+// Of the solids together. Cones and cuts have a slope of 1, the trunk's ellipsoids 1.37 at most
+// outside and near their surface; deeper inside they are steeper, and far from it.
+constexpr double kSteepest = 1.5;
 
 constexpr double kMillimeter_m = 1e-3;
 
@@ -205,7 +208,7 @@ class BodyBuilder {
     for (const TurnedEllipsoid& ellipsoid : solids_.ellipsoids) {
       include(ellipsoid.center_m, ellipsoid.radii_m);
     }
-    return SurfaceNets(solids_, box, cell_m);
+    return SurfaceNets(solids_, box, cell_m, kSteepest);
   }
 
  private:

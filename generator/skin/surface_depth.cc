@@ -37,15 +37,59 @@ double DistanceFromTriangle_m(const Vector3& point, const Vector3& a, const Vect
                    DistanceFromSegment_m(point, c, a)});
 }
 
+// A direction in the plane, of any length: (cos, sin) of an angle in (-pi, pi].
+struct PlaneDirection {
+  double x = 1;
+  double y = 0;
+};
+
 // Half the solid angle of a triangle seen from the origin (van Oosterom and Strackee 1983):
 // tan(Omega / 2) = a . (b x c) / (|a| |b| |c| + (a . b) |c| + (b . c) |a| + (c . a) |b|).
-double HalfSolidAngle(const Vector3& a, const Vector3& b, const Vector3& c) {
+PlaneDirection HalfSolidAngle(const Vector3& a, const Vector3& b, const Vector3& c) {
   const double a_m = glm::length(a);
   const double b_m = glm::length(b);
   const double c_m = glm::length(c);
-  return std::atan2(glm::dot(a, glm::cross(b, c)), a_m * b_m * c_m + glm::dot(a, b) * c_m +
-                                                       glm::dot(b, c) * a_m + glm::dot(c, a) * b_m);
+  return {a_m * b_m * c_m + glm::dot(a, b) * c_m + glm::dot(b, c) * a_m + glm::dot(c, a) * b_m,
+          glm::dot(a, glm::cross(b, c))};
 }
+
+// A sum of angles: what is left of whole turns as a direction, so that no angle is computed but
+// the sum's. The direction of a sum is the product of complex numbers.
+class AngleSum {
+ public:
+  void Add(const PlaneDirection& angle) noexcept {
+    const double size = std::abs(angle.x) + std::abs(angle.y);
+    if (!(size > 0)) {
+      return;  // no direction: seen from a corner a triangle has no solid angle
+    }
+    const PlaneDirection sum{(sum_.x * angle.x - sum_.y * angle.y) / size,
+                             (sum_.x * angle.y + sum_.y * angle.x) / size};
+    // Two angles of one sign pass half a turn where their sum has the other sign.
+    const bool first = sum_.y >= 0;
+    const bool second = angle.y >= 0;
+    const bool is_positive = sum.y >= 0;
+    turns_ += static_cast<int>(first && second && !is_positive) -
+              static_cast<int>(!first && !second && is_positive);
+    sum_ = sum;
+    if (++count_ % kMostProducts == 0) {
+      const double length = std::abs(sum.x) + std::abs(sum.y);
+      sum_ = {sum.x / length, sum.y / length};
+    }
+  }
+  [[nodiscard]] double rad() const noexcept {
+    // Half a turn counts as positive, as in Add(), also where its sine is -0.
+    const double sine = sum_.y == 0 ? 0 : sum_.y;
+    return std::atan2(sine, sum_.x) + 2 * kPi * turns_;
+  }
+
+ private:
+  // Each product keeps 0.7 of the length or more; of so many ten millionths are left.
+  static constexpr unsigned kMostProducts = 32;
+
+  PlaneDirection sum_;
+  int turns_ = 0;
+  unsigned count_ = 0;
+};
 
 }  // namespace
 
@@ -76,12 +120,12 @@ double SurfaceDepth::Depth_m(const Vector3& point_m) const noexcept {
 }
 
 double SurfaceDepth::WindingNumber(const Vector3& point_m) const noexcept {
-  double half_angles = 0;
+  AngleSum half_angles;
   for (const Triangle& triangle : surface_.triangles) {
-    half_angles += HalfSolidAngle(At(triangle, 0) - point_m, At(triangle, 1) - point_m,
-                                  At(triangle, 2) - point_m);
+    half_angles.Add(HalfSolidAngle(At(triangle, 0) - point_m, At(triangle, 1) - point_m,
+                                   At(triangle, 2) - point_m));
   }
-  return half_angles / (2 * kPi);
+  return half_angles.rad() / (2 * kPi);
 }
 
 double SurfaceDepth::Distance_m(const Vector3& point_m) const noexcept {

@@ -3,6 +3,7 @@
 
 #include "skin/surface_nets.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -16,13 +17,18 @@ constexpr double kMostPoints = 50e6;
 constexpr int kNoVertex = -1;
 // How deep a corner that was taken in counts as, in cells.
 constexpr double kFilled = 0.01;
+// Points along an edge of the largest block that one value can stand for; a power of 2.
+constexpr std::size_t kLargestBlock = 8;
+// From the middle of a cube of side 1 to a corner.
+constexpr double kHalfDiagonal = 0.8660254037844386;
 
 using Step = std::array<std::size_t, 3>;
 
 // Values of a function on a cubic grid, and the cells between its points.
 class Grid {
  public:
-  Grid(const std::function<double(const Vector3&)>& value_m, const Box& box, double cell_m)
+  Grid(const std::function<double(const Vector3&)>& value_m, const Box& box, double cell_m,
+       double steepest)
       : origin_m_(box.lowest_m), cell_m_(cell_m) {
     double points = 1;
     for (int i = 0; i < 3; ++i) {
@@ -38,8 +44,13 @@ class Grid {
     }
     strides_ = {1, counts_[0], counts_[0] * counts_[1]};
     values_m_.resize(strides_[2] * counts_[2]);
-    ForEachPoint(
-        [&](std::size_t index, const Step& at) { values_m_[index] = value_m(Place_m(at)); });
+    for (std::size_t z = 0; z < counts_[2]; z += kLargestBlock) {
+      for (std::size_t y = 0; y < counts_[1]; y += kLargestBlock) {
+        for (std::size_t x = 0; x < counts_[0]; x += kLargestBlock) {
+          Evaluate(value_m, steepest, {x, y, z}, kLargestBlock);
+        }
+      }
+    }
     while (FillAlternatingFaces()) {
     }
   }
@@ -70,6 +81,49 @@ class Grid {
   }
 
  private:
+  // Finds the values of the points of a cube, as far as it lies in the grid. One value stands for
+  // all where the surface is farther from the middle than every neighbour of a point in the cube:
+  // of such points only the sign is ever asked.
+  void Evaluate(const std::function<double(const Vector3&)>& value_m, double steepest,
+                const Step& first, std::size_t size) {
+    Step end{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (first[axis] >= counts_[axis]) {
+        return;
+      }
+      end[axis] = std::min(first[axis] + size, counts_[axis]);
+    }
+    if (size == 1) {
+      values_m_[first[0] + strides_[1] * first[1] + strides_[2] * first[2]] =
+          value_m(Place_m(first));
+      return;
+    }
+    if (std::isfinite(steepest)) {
+      const double half = static_cast<double>(size - 1) / 2;
+      const double middle_m = value_m(Place_m(first) + half * cell_m_);
+      const double neighbours_m = (2 * half * kHalfDiagonal + 1) * cell_m_;
+      if (std::abs(middle_m) > steepest * neighbours_m) {
+        for (std::size_t z = first[2]; z < end[2]; ++z) {
+          for (std::size_t y = first[1]; y < end[1]; ++y) {
+            const std::size_t row = strides_[1] * y + strides_[2] * z;
+            for (std::size_t x = first[0]; x < end[0]; ++x) {
+              values_m_[row + x] = middle_m;
+            }
+          }
+        }
+        return;
+      }
+    }
+    const std::size_t part = size / 2;
+    for (const std::size_t z : {first[2], first[2] + part}) {
+      for (const std::size_t y : {first[1], first[1] + part}) {
+        for (const std::size_t x : {first[0], first[0] + part}) {
+          Evaluate(value_m, steepest, {x, y, z}, part);
+        }
+      }
+    }
+  }
+
   // Where the signs of a face's four corners alternate, the surface would touch itself along an
   // edge. The outer corner that is nearer to the surface is taken in. Returns whether there was
   // such a face; each turn takes corners in, so that there is a last one.
@@ -160,8 +214,8 @@ Vector3 DrawnToSurface_m(const std::function<double(const Vector3&)>& value_m,
 }  // namespace
 
 TriangleMesh SurfaceNets(const std::function<double(const Vector3&)>& value_m, const Box& box,
-                         double cell_m) {
-  const Grid grid(value_m, box, cell_m);
+                         double cell_m, double steepest) {
+  const Grid grid(value_m, box, cell_m, steepest);
   TriangleMesh mesh;
   std::vector<int> vertex_of(grid.size(), kNoVertex);
   grid.ForEachPoint([&](std::size_t index, const Step& at) {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 
 #include "anatomy/triangle_mesh.h"
 
@@ -25,7 +26,12 @@ struct Box {
 /// the part of the surface within the box is found, up to one cell from its faces. Throws
 /// std::invalid_argument for a cell size or a box that make no grid, or one of more than 50 million
 /// points.
+///
+/// `steepest` bounds how fast the value changes: where it is v, the surface is at least
+/// |v| / steepest away. With a bound, blocks of the grid that the surface cannot reach are asked
+/// for one value each. The mesh stays the same, and takes a fraction of the time.
 [[nodiscard]] TriangleMesh SurfaceNets(const std::function<double(const Vector3&)>& value_m,
-                                       const Box& box, double cell_m);
+                                       const Box& box, double cell_m,
+                                       double steepest = std::numeric_limits<double>::infinity());
 
 }  // namespace girdle

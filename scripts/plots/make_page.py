@@ -52,7 +52,8 @@ caption { text-align: left; color: var(--soft); padding: 0.3rem 0; }
 th, td { text-align: right; padding: 0.15rem 0.7rem; border-bottom: 1px solid var(--line); }
 th { font-weight: 600; vertical-align: bottom; }
 th:first-child, td:first-child, td.words { text-align: left; }
-pre { overflow-x: auto; font-size: 0.85rem; padding: 0.6rem; border: 1px solid var(--line); border-radius: 4px; }
+pre { overflow-x: auto; font-size: 0.85rem; padding: 0.6rem; border: 1px solid var(--line);
+      border-radius: 4px; }
 .missing { border-left: 4px solid #d55e00; padding: 0.2rem 0.8rem; white-space: pre-wrap; }
 """
 

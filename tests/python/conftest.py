@@ -21,6 +21,7 @@ from xml.etree import ElementTree
 import mujoco
 import pytest
 from reference_rhythm import DATABASE, Position, ReferenceRhythm, read_database
+from shared_results import SharedResults
 
 # Generous: the longest run simulates one second, which takes a fraction of that.
 PROGRAM_TIMEOUT_S = 120
@@ -217,11 +218,18 @@ WriteModel = Callable[..., Path]
 
 
 @pytest.fixture(scope="session")
-def generated(run_program: RunProgram, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The folder of a freshly generated model, which no test writes to."""
-    folder = tmp_path_factory.mktemp("generated")
-    run_program("generate", "--out", folder)
-    return folder
+def shared(program: Path) -> SharedResults:
+    """Models and reports that other files of tests want as well, each made once in a build."""
+    build = os.environ.get("GIRDLE_BUILD_DIR")
+    if not build:
+        pytest.fail("GIRDLE_BUILD_DIR is not set. Set it to the folder of the build.", pytrace=False)
+    return SharedResults(program, Path(build), PROGRAM_TIMEOUT_S)
+
+
+@pytest.fixture(scope="session")
+def generated(shared: SharedResults) -> Path:
+    """The folder of the default model, which no test writes to."""
+    return shared.generate().folder
 
 
 def with_scene(command: tuple[str, ...], folder: Path) -> list[str]:

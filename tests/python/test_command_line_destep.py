@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import csv
+import itertools
 import json
 from pathlib import Path
 
@@ -68,7 +69,7 @@ def rotation_vector(a: Array, b: Array) -> Array:
 
 
 def ways(series: list[Array]) -> Array:
-    return np.array([rotation_vector(a, b) for a, b in zip(series, series[1:], strict=False)])
+    return np.array([rotation_vector(a, b) for a, b in itertools.pairwise(series)])
 
 
 def bends_deg(series: list[Array]) -> Array:

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import mujoco
 import pytest
-from conftest import ABOVE_TOLERANCE, SCENE_FILE, Girdle, Refuses
+from conftest import ABOVE_TOLERANCE, Girdle, Refuses
 
 ROOT = Path(__file__).resolve().parents[2]
 OWN_MAPPING = ROOT / "data" / "mappings" / "girdle_right.csv"
@@ -140,7 +140,7 @@ def test_a_compiled_model_gives_what_its_text_gives(girdle_fine: Girdle, write: 
 def test_landmarks_of_one_bone_that_move_against_each_other_fail(
     girdle: Girdle, write: Write
 ) -> None:
-    rows = "PAC,body,blade{0}\nTS,body,blade{1}\nAI,body,upper{2}\n".format(
+    rows = "PAC,body,blade{}\nTS,body,blade{}\nAI,body,upper{}\n".format(
         ",,,,,,0,0,0", ",,,,,,0,0,-0.13", ",,,,,,0,-0.1,-0.13"
     )
     model, mapping = write(

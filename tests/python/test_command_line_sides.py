@@ -14,7 +14,8 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
-from conftest import Girdle, Refuses, RunProgram, contents
+from conftest import Girdle, Refuses, contents
+from shared_results import SharedResults
 
 SIDES = {"right": ("_r",), "left": ("_l",), "both": ("_r", "_l")}
 ASSEMBLIES: dict[str, tuple[str, ...]] = {
@@ -31,20 +32,9 @@ SINGULAR = {"right": "shoulder", "left": "shoulder", "both": "shoulders"}
 
 
 @pytest.fixture(scope="module")
-def models(
-    run_program: RunProgram, tmp_path_factory: pytest.TempPathFactory
-) -> Callable[..., Path]:
+def models(shared: SharedResults) -> Callable[..., Path]:
     """The scene of a model by the options that it was made with."""
-    scenes: dict[tuple[str, ...], Path] = {}
-
-    def make(*options: str) -> Path:
-        if options not in scenes:
-            folder = tmp_path_factory.mktemp("model")
-            answer = run_program("generate", "--out", folder, "--json", *options)
-            scenes[options] = Path(json.loads(answer)["scene"])
-        return scenes[options]
-
-    return make
+    return lambda *options: shared.generate(*options).scene
 
 
 def root_of(scene: Path) -> ElementTree.Element:

@@ -457,8 +457,12 @@ def test_an_offset_needs_a_model_with_a_command_for_it(
 
 @pytest.mark.parametrize(
     ("name", "value", "bounds"),
-    [("shrug", "36", "-15 to 35"), ("shrug", "-16", "-15 to 35")]
-    + [("protraction", "31", "-25 to 30"), ("protraction", "-26", "-25 to 30")],
+    [
+        ("shrug", "36", "-15 to 35"),
+        ("shrug", "-16", "-15 to 35"),
+        ("protraction", "31", "-25 to 30"),
+        ("protraction", "-26", "-25 to 30"),
+    ],
 )
 def test_an_offset_that_no_clavicle_makes_is_refused_with_its_line(
     refuses: Refuses, scene_with_offsets: Path, tmp_path: Path, name: str, value: str, bounds: str

@@ -5,14 +5,14 @@
 from __future__ import annotations
 
 import itertools
-import json
 from collections.abc import Callable
 from pathlib import Path
 
 import mujoco
 import numpy as np
 import pytest
-from conftest import MODEL_FILE, SCENE_FILE, Girdle, Refuses, RunProgram, contents
+from conftest import MODEL_FILE, SCENE_FILE, Girdle, Refuses, contents
+from shared_results import SharedResults
 
 pytestmark = pytest.mark.usefixtures("no_warning")
 
@@ -39,18 +39,9 @@ def words(side: str, assembly: str, actuation: str) -> tuple[str, ...]:
 
 
 @pytest.fixture(scope="module")
-def models(run_program: RunProgram, tmp_path_factory: pytest.TempPathFactory) -> Models:
+def models(shared: SharedResults) -> Models:
     """The scene of a model with a skin by what it is; each in a folder of its own, made once."""
-    scenes: dict[tuple[str, str, str], Path] = {}
-
-    def make(*variant: str) -> Path:
-        if variant not in scenes:
-            folder = tmp_path_factory.mktemp("model")
-            answer = run_program("generate", "--out", folder, "--json", *SKIN, *words(*variant))
-            scenes[variant] = Path(json.loads(answer)["scene"])
-        return scenes[variant]
-
-    return make
+    return lambda *variant: shared.generate(*SKIN, *words(*variant)).scene
 
 
 def skin_of(scene: Path) -> Path:
@@ -102,8 +93,10 @@ def test_a_model_leaves_the_skin_of_another_one_in_the_folder_alone(
 # The shortest and longest that the option takes.
 @pytest.mark.parametrize(
     "size",
-    ["clavicle-length 0.05", "clavicle-length 0.25", "scapula-length 0.04", "scapula-length 0.25"]
-    + ["humerus-length 0.1", "humerus-length 0.5", "stature 0.5", "stature 2.8"],
+    [
+        *("clavicle-length 0.05", "clavicle-length 0.25", "scapula-length 0.04", "scapula-length 0.25"),
+        *("humerus-length 0.1", "humerus-length 0.5", "stature 0.5", "stature 2.8"),
+    ],
 )
 def test_a_body_of_any_size_that_is_taken_has_a_skin(
     girdle_fine: Girdle, tmp_path: Path, size: str

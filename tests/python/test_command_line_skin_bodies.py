@@ -16,7 +16,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from conftest import ABOVE_TOLERANCE, REFUSED, Girdle, Refuses, RunProgram
+from conftest import ABOVE_TOLERANCE, REFUSED, Girdle, Refuses
+from shared_results import SharedResults
 
 SOURCE = Path(__file__).resolve().parents[2]
 BODY = SOURCE / "build/body"
@@ -310,9 +311,8 @@ def landmark_rows(path: Path) -> dict[str, tuple[str, Vector]]:
 
 
 @pytest.fixture(scope="module")
-def made_person(run_program: RunProgram, tmp_path_factory: pytest.TempPathFactory) -> Person:
-    folder = tmp_path_factory.mktemp("made")
-    run_program("generate", "--skin", "implicit", "--side", "both", "--out", folder)
+def made_person(shared: SharedResults) -> Person:
+    folder = shared.generate("--skin", "implicit", "--side", "both").folder
     skin = read_skin(folder / "shoulder_both.skn")
     bones = landmark_rows(SOURCE / "data/landmarks.csv")
     landmarks_m = {}

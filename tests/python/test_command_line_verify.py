@@ -22,12 +22,12 @@ from conftest import (
     SCENE_FILE,
     Edit,
     Girdle,
-    RunProgram,
     WriteModel,
     find_element,
     remove_element,
 )
 from reference_rhythm import DATABASE, JOINT_COORDINATES, Array, multiply
+from shared_results import SharedResults
 
 GROUPS = {
     "joint constraint",
@@ -215,19 +215,9 @@ RHYTHMS: dict[str, tuple[str, ...]] = {
 
 
 @pytest.fixture(scope="module")
-def models(
-    run_program: RunProgram, tmp_path_factory: pytest.TempPathFactory
-) -> Callable[..., Path]:
+def models(shared: SharedResults) -> Callable[..., Path]:
     """The folder of a model by the options that it was made with."""
-    folders: dict[tuple[str, ...], Path] = {}
-
-    def make(*options: str) -> Path:
-        if options not in folders:
-            folders[options] = tmp_path_factory.mktemp("model")
-            run_program("generate", "--out", folders[options], *options)
-        return folders[options]
-
-    return make
+    return lambda *options: shared.generate(*options).folder
 
 
 @pytest.mark.parametrize("options", RHYTHMS.values(), ids=RHYTHMS.keys())
@@ -410,8 +400,9 @@ HINGES = {
     for joint, coordinates in JOINT_COORDINATES.items()
     for coordinate in coordinates
 }
-LONE_LANDMARKS = ("IJ", "PX", "C7", "T8") + tuple(
-    f"{name}_r" for name in ("TS", "AI", "AA", "PC", "ACJ", "GC", "EM", "EL")
+LONE_LANDMARKS = (
+    *("IJ", "PX", "C7", "T8"),
+    *(f"{name}_r" for name in ("TS", "AI", "AA", "PC", "ACJ", "GC", "EM", "EL")),
 )
 KEYFRAME_NAMES = (
     *("rest", "relaxed", "abduction_30", "abduction_60", "abduction_90", "abduction_120"),

@@ -5,7 +5,6 @@
 from __future__ import annotations
 
 import itertools
-import json
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import partial
@@ -23,6 +22,7 @@ from conftest import (
     find_element,
     remove_element,
 )
+from shared_results import SharedResults
 from test_command_line_verify import (
     DESTEPPED,
     LANDMARKS,
@@ -54,20 +54,9 @@ ACTUATIONS: dict[str, tuple[str, ...]] = {"plugin": (), "position": POSITION}
 
 
 @pytest.fixture(scope="module")
-def models(
-    run_program: RunProgram, tmp_path_factory: pytest.TempPathFactory
-) -> Callable[..., Path]:
+def models(shared: SharedResults) -> Callable[..., Path]:
     """The model by the options that it was made with."""
-    made: dict[tuple[str, ...], Path] = {}
-
-    def make(*options: str) -> Path:
-        if options not in made:
-            folder = tmp_path_factory.mktemp("model")
-            answer = run_program("generate", "--out", folder, "--json", *options)
-            made[options] = Path(json.loads(answer)["model"])
-        return made[options]
-
-    return make
+    return lambda *options: shared.generate(*options).model
 
 
 @pytest.fixture

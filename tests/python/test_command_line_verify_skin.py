@@ -21,6 +21,7 @@ import numpy as np
 import pytest
 from conftest import ABOVE_TOLERANCE, MODEL_FILE, SCENE_FILE, Girdle, Refuses, RunProgram
 from reference_rhythm import DATABASE, JOINT_COORDINATES, Array
+from shared_results import SharedResults
 
 MAPPING = Path(__file__).resolve().parents[2] / "data/mappings/girdle_right.csv"
 SKIN_FILE = "shoulder_right.skn"
@@ -55,11 +56,9 @@ MOTIONS = {"abduction", "scapular plane", "flexion", "protraction at 90"}
 
 
 @pytest.fixture(scope="session")
-def skinned(run_program: RunProgram, tmp_path_factory: pytest.TempPathFactory) -> Path:
+def skinned(shared: SharedResults) -> Path:
     """The folder of a model with a skin, which no test writes to."""
-    folder = tmp_path_factory.mktemp("skinned")
-    run_program("generate", "--skin", "implicit", "--out", folder)
-    return folder
+    return shared.generate("--skin", "implicit").folder
 
 
 @dataclass(frozen=True)
@@ -88,8 +87,10 @@ class Report:
 
 
 @pytest.fixture(scope="session")
-def measured(run_program: RunProgram, skinned: Path) -> Report:
-    return Report(0, json.loads(run_program("verify", skinned / SCENE_FILE, "--json")))
+def measured(shared: SharedResults, skinned: Path) -> Report:
+    verified = shared.verify(skinned / SCENE_FILE)
+    assert (verified.code, verified.message) == (0, "")
+    return Report(0, verified.answer)
 
 
 def verify(girdle: Girdle, scene: Path, *options: str) -> Report:
@@ -153,10 +154,9 @@ def test_a_frozen_girdle_fails_in_what_it_does_to_skin(
     ids="-".join,
 )
 def test_every_kind_of_model_tells_them_apart(
-    girdle: Girdle, girdle_fine: Girdle, tmp_path: Path, options: tuple[str, ...]
+    girdle: Girdle, shared: SharedResults, options: tuple[str, ...]
 ) -> None:
-    girdle_fine("generate", "--skin", "implicit", *options, "--out", "model")
-    (scene,) = (tmp_path / "model").glob("scene*.xml")
+    scene = shared.generate("--skin", "implicit", *options).scene
     sides = [", right", ", left"] if "both" in options else [""]
     assert verify(girdle, scene).failed == set()
     assert verify(girdle, scene, "--girdle", "frozen").failed == {
@@ -297,16 +297,12 @@ def test_a_table_of_the_users_own_is_what_is_measured(
 
 
 @pytest.fixture(scope="session")
-def raised(
-    run_program: RunProgram, skinned: Path, tmp_path_factory: pytest.TempPathFactory
-) -> mujoco.MjModel:
+def raised(shared: SharedResults, skinned: Path) -> mujoco.MjModel:
     """The same skin on bones that need no plugin, with keyframes at 30 and 120."""
-    folder = tmp_path_factory.mktemp("raised")
-    run_program("generate", "--skin", "implicit", "--actuation", "position", "--out", folder)
-    (skin,) = folder.glob("*.skn")
+    made = shared.generate("--skin", "implicit", "--actuation", "position")
+    (skin,) = made.folder.glob("*.skn")
     assert skin.read_bytes() == (skinned / SKIN_FILE).read_bytes()
-    (scene,) = folder.glob("scene*.xml")
-    return mujoco.MjModel.from_xml_path(str(scene))
+    return mujoco.MjModel.from_xml_path(str(made.scene))
 
 
 def drawn_vertices(model: mujoco.MjModel, keyframe: str) -> Array:

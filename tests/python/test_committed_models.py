@@ -4,10 +4,10 @@
 
 from __future__ import annotations
 
-import subprocess
 from pathlib import Path
 
 import pytest
+from shared_results import SharedResults
 
 MODELS = Path(__file__).resolve().parents[2] / "model"
 FAMILIES = {
@@ -19,18 +19,17 @@ SCENES = sorted(MODELS.glob("*/scene*.xml"))
 
 
 @pytest.fixture(scope="module", params=FAMILIES)
-def emitted(request: pytest.FixtureRequest, program: Path, tmp_path_factory) -> tuple[Path, Path]:
-    """A family's committed folder and what the program emits into one today."""
-    folder = tmp_path_factory.mktemp(request.param)
+def emitted(
+    request: pytest.FixtureRequest, shared: SharedResults
+) -> tuple[Path, dict[str, Path]]:
+    """A family's committed folder, and the files that the program emits for it today."""
+    files: dict[str, Path] = {}
     for side in ("right", "left", "both"):
         for actuation in ("plugin", "position"):
-            subprocess.run(
-                [program, "generate", *FAMILIES[request.param], "--side", side]
-                + ["--actuation", actuation, "--out", folder],
-                check=True,
-                capture_output=True,
-            )
-    return MODELS / request.param, folder
+            words = ("--side", side, "--actuation", actuation)
+            folder = shared.generate(*FAMILIES[request.param], *words).folder
+            files |= {path.name: path for path in folder.iterdir()}
+    return MODELS / request.param, files
 
 
 def test_every_family_is_tested() -> None:
@@ -38,19 +37,21 @@ def test_every_family_is_tested() -> None:
     assert len(SCENES) == 6 * len(FAMILIES)
 
 
-def test_committed_models_are_regenerated_byte_for_byte(emitted: tuple[Path, Path]) -> None:
+def test_committed_models_are_regenerated_byte_for_byte(
+    emitted: tuple[Path, dict[str, Path]],
+) -> None:
     committed, made = emitted
-    emitted_names = {path.name for path in made.iterdir()}
     kept = {path.name for path in committed.iterdir() if path.suffix in (".xml", ".skn")}
-    assert emitted_names == kept
-    for path in made.iterdir():
-        assert path.read_bytes() == (committed / path.name).read_bytes(), path.name
+    assert made.keys() == kept
+    for name, path in made.items():
+        assert path.read_bytes() == (committed / name).read_bytes(), name
 
 
 @pytest.mark.parametrize("scene", SCENES, ids=lambda path: f"{path.parent.name}/{path.name}")
-def test_a_committed_model_passes_every_line_of_the_report(scene: Path, program: Path) -> None:
+def test_a_committed_model_passes_every_line_of_the_report(
+    scene: Path, shared: SharedResults
+) -> None:
     """With the MuJoCo of this build; the tests run with each that is supported."""
-    finished = subprocess.run(
-        [program, "verify", scene], capture_output=True, text=True, check=False
-    )
-    assert finished.returncode == 0, finished.stdout + finished.stderr
+    verified = shared.verify(scene)
+    assert (verified.code, verified.message) == (0, ""), verified.text
+    assert verified.answer["passed"]

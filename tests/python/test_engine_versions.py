@@ -67,7 +67,8 @@ JOINT_SITES = {"SC": "SC_clavicle", "PAC": "PAC_scapula", "GH": "GH_humerus"}
 
 
 def sides_of(model: mujoco.MjModel) -> list[str]:
-    found = [side for side in ("_r", "_l") if mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_BODY, "humerus" + side) >= 0]
+    body = mujoco.mjtObj.mjOBJ_BODY
+    found = [side for side in ("_r", "_l") if mujoco.mj_name2id(model, body, "humerus" + side) >= 0]
     assert found
     return found
 

@@ -12,7 +12,7 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
-from conftest import RunProgram
+from shared_results import SharedResults
 
 MODELS = Path(__file__).resolve().parents[2] / "model"
 README = (MODELS / "README.md").read_text(encoding="utf-8")
@@ -126,19 +126,15 @@ FURTHER = {
 
 
 @pytest.fixture(params=[*COMMITTED, *FURTHER], ids=lambda p: getattr(p, "name", p))
-def variant(
-    request: pytest.FixtureRequest, run_program: RunProgram, tmp_path: Path
-) -> Variant:
+def variant(request: pytest.FixtureRequest, shared: SharedResults) -> Variant:
     if isinstance(request.param, Variant):
         return request.param
     assembly, actuation, *options = FURTHER[request.param]
     words = [word for option in options for word in option.split()]
-    run_program(
-        "generate", "--side", "both", "--assembly", assembly, "--actuation", actuation,
-        *words, "--out", tmp_path,
-    )  # fmt: skip
-    (path,) = tmp_path.glob("shoulder_both*.xml")
-    return variant_of(path, assembly, *options)
+    made = shared.generate(
+        "--side", "both", "--assembly", assembly, "--actuation", actuation, *words
+    )
+    return variant_of(made.model, assembly, *options)
 
 
 def elements(path: Path) -> Iterator[tuple[str, ElementTree.Element]]:

@@ -31,6 +31,7 @@ from reference_rhythm import (
     rotation_angle_deg,
 )
 from reference_smooth import SmoothRhythm, read_joint_ranges
+from shared_results import SharedResults
 
 SEED = 20090201
 RANDOM_COMMANDS = 300
@@ -599,7 +600,7 @@ def test_two_data_of_one_model_do_not_disturb_each_other(
     interleaved: list[list[Snapshot]] = [[] for _ in PHASES]
     for step in range(STEPS):
         for data, phase, snapshots in zip(pair, PHASES, interleaved, strict=True):
-            snapshots += step_along(data, shoulder, step, 1, phase)
+            snapshots.extend(step_along(data, shoulder, step, 1, phase))
     for found, expected in zip(interleaved, alone, strict=True):
         assert_same_to_the_last_bit(found, expected)
     assert not np.array_equal(alone[0][-1]["qpos"], alone[1][-1]["qpos"])
@@ -682,10 +683,8 @@ def test_the_joints_of_an_attached_shoulder_settle_on_their_own_targets(
 
 
 @pytest.fixture(scope="module")
-def further_path(run_program: RunProgram, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    folder = tmp_path_factory.mktemp("further")
-    run_program("generate", "--out", folder, "--offsets", "--rates")
-    return folder / "scene.xml"
+def further_path(shared: SharedResults) -> Path:
+    return shared.generate("--offsets", "--rates").scene
 
 
 @pytest.fixture

@@ -195,7 +195,8 @@ def test_the_plugin_of_another_girdle_is_not_used_and_says_so(
     version = r"\(Girdle \d+\.\d+\.\d+\)"
     expected = (
         rf"girdle\.rhythm of {re.escape(str(other))} {version} is not used, because this process "
-        rf"has the plugin of {re.escape(str(plugin_library))} {version} already\. Load one of them; after an update `girdle doctor --install`"
+        rf"has the plugin of {re.escape(str(plugin_library))} {version} already\. "
+        "Load one of them; after an update `girdle doctor --install`"
     )
     assert re.search(expected, said), said
 
@@ -246,6 +247,7 @@ def said_in_a_strange_engine(version: int, plugin: Path, folder: Path) -> str:
     return subprocess.run(command, capture_output=True, text=True, check=True).stdout
 
 
+@pytest.mark.without_engine
 def test_an_engine_of_a_version_that_nobody_knows_is_refused_with_the_fix(
     plugin_library: Path, tmp_path: Path
 ) -> None:
@@ -256,6 +258,7 @@ def test_an_engine_of_a_version_that_nobody_knows_is_refused_with_the_fix(
     assert "Run a MuJoCo from 3.2.7 to 4.0.1" in said
 
 
+@pytest.mark.without_engine
 def test_an_engine_that_is_laid_out_otherwise_than_it_says_is_refused(
     plugin_library: Path, tmp_path: Path
 ) -> None:

@@ -8,7 +8,6 @@ import copy
 import csv
 import io
 import itertools
-import json
 import math
 import pickle
 from collections.abc import Callable
@@ -19,6 +18,7 @@ import numpy as np
 import pytest
 from conftest import RunProgram
 from reference_rhythm import COORDINATES, Array
+from shared_results import SharedResults
 
 pytestmark = pytest.mark.usefixtures("no_warning")
 
@@ -48,18 +48,9 @@ MOTION = """time_s,elevation_deg,plane_deg,axial_deg
 
 
 @pytest.fixture(scope="module")
-def made(run_program: RunProgram, tmp_path_factory: pytest.TempPathFactory) -> Callable[..., Path]:
+def made(shared: SharedResults) -> Callable[..., Path]:
     """The scene of a model by the options that it was made with."""
-    scenes: dict[tuple[str, ...], Path] = {}
-
-    def make(*options: str) -> Path:
-        if options not in scenes:
-            folder = tmp_path_factory.mktemp("model")
-            answer = run_program("generate", "--out", folder, "--json", *options)
-            scenes[options] = Path(json.loads(answer)["scene"])
-        return scenes[options]
-
-    return make
+    return lambda *options: shared.generate(*options).scene
 
 
 def load(scene: Path) -> mujoco.MjModel:

@@ -14,6 +14,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from shared_results import SharedResults
 
 ROOT = Path(__file__).resolve().parents[2]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
@@ -39,11 +40,9 @@ def run(*command: str | Path, folder: Path) -> str:
 
 
 @pytest.fixture(scope="module")
-def emitted_model(tmp_path_factory: pytest.TempPathFactory, program: Path) -> Path:
+def emitted_model(shared: SharedResults) -> Path:
     """What scripts/run leaves in build/model."""
-    folder = tmp_path_factory.mktemp("emitted")
-    run(program, "generate", "--skin", "implicit", "--out", folder / "model", folder=folder)
-    return folder / "model"
+    return shared.generate("--skin", "implicit").folder
 
 
 @pytest.fixture
@@ -211,8 +210,10 @@ def test_the_readme_shows_the_verdict_on_every_committed_model() -> None:
 
 
 @pytest.mark.parametrize("model", verified_models())
-def test_the_verdict_of_the_readme_is_that_of_the_program(model: str, program: Path) -> None:
-    report = json.loads(run(program, "verify", "--json", ROOT / "model" / model, folder=ROOT))
+def test_the_verdict_of_the_readme_is_that_of_the_program(
+    model: str, shared: SharedResults
+) -> None:
+    report = shared.verify(ROOT / "model" / model).answer
     shown = []
     for (group, items), decimals in zip(CHIEF_LINES, DECIMALS, strict=True):
         values = [

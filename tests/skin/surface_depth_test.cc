@@ -10,6 +10,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <stdexcept>
+#include <utility>
 
 #include "skin/surface_nets.h"
 
@@ -48,6 +49,31 @@ TEST(SurfaceDepth, WindsOnceInsideAndNotAtAllOutside) {
   const SurfaceDepth depth(Cube());
   EXPECT_NEAR(depth.WindingNumber({0.2, 0.7, 0.4}), 1, kExact);
   EXPECT_NEAR(depth.WindingNumber({1.2, 0.7, 0.4}), 0, kExact);
+}
+
+// Every surface lies around the point once more, so that the angles sum to many half turns.
+TEST(SurfaceDepth, CountsEveryTurnEitherWay) {
+  TriangleMesh nested;
+  for (int i = 0; i < 5; ++i) {
+    const int first = static_cast<int>(nested.vertices_m.size());
+    for (const Vector3& corner : Cube().vertices_m) {
+      nested.vertices_m.push_back(corner * (1.0 + i) - Vector3(0.4 * i));
+    }
+    for (const Triangle& triangle : Cube().triangles) {
+      nested.triangles.push_back({triangle[0] + first, triangle[1] + first, triangle[2] + first});
+    }
+  }
+  constexpr Vector3 kInAll{0.2, 0.7, 0.4};
+  EXPECT_NEAR(SurfaceDepth(nested).WindingNumber(kInAll), 5, kExact);
+  for (Triangle& triangle : nested.triangles) {
+    std::swap(triangle[1], triangle[2]);
+  }
+  EXPECT_NEAR(SurfaceDepth(nested).WindingNumber(kInAll), -5, kExact);
+}
+
+// A corner has no solid angle of the triangles that end in it; the others see an eighth.
+TEST(SurfaceDepth, WindsAnEighthAroundACornerOfACube) {
+  EXPECT_NEAR(SurfaceDepth(Cube()).WindingNumber({0, 0, 0}), 0.125, kExact);
 }
 
 TEST(SurfaceDepth, IsThatOfABallThatNetsHaveMeshed) {

@@ -7,6 +7,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -16,6 +17,7 @@
 #include <random>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "kinematics/rotation.h"
@@ -151,6 +153,49 @@ RC_GTEST_PROP(SurfaceNets, AreClosedWhateverTheSignsOfTheCorners, ()) {
   RC_ASSERT(!mesh.triangles.empty());
   RC_ASSERT(UnpairedEdges(mesh).empty());
   RC_ASSERT(Volume_m3(mesh) > 0);
+}
+
+// Balls by chance, of which many touch, run into each other or leave the box.
+RC_GTEST_PROP(SurfaceNets, AreTheSameWhereABoundOfTheSlopeSavesValues, ()) {
+  constexpr int kBalls = 5;
+  std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
+  std::uniform_real_distribution<double> place(0, 30);
+  std::uniform_real_distribution<double> radius(1, 9);
+  std::array<std::pair<Vector3, double>, kBalls> balls;
+  for (auto& [center, size] : balls) {
+    center = {place(random), place(random), place(random)};
+    size = radius(random);
+  }
+  int asked = 0;
+  const double slope = *rc::gen::element(1.0, 0.25, 3.0);
+  const auto value = [&](const Vector3& p) {
+    ++asked;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const auto& [center, size] : balls) {
+      nearest = std::min(nearest, slope * (glm::length(p - center) - size));
+    }
+    return nearest;
+  };
+  const Box box{Vector3(0), Vector3(30)};
+  const TriangleMesh every = SurfaceNets(value, box, 1);
+  const int asked_for_every = std::exchange(asked, 0);
+  const TriangleMesh same = SurfaceNets(value, box, 1, slope);
+  RC_ASSERT(same.vertices_m == every.vertices_m);
+  RC_ASSERT(same.triangles == every.triangles);
+  RC_ASSERT(asked < asked_for_every);
+}
+
+TEST(SurfaceNets, AskForFewValuesFarFromTheSurface) {
+  int asked = 0;
+  const auto ball = [&asked](const Vector3& p) {
+    ++asked;
+    return Ball(p);
+  };
+  const Box far{Vector3(-1), Vector3(1)};
+  const TriangleMesh mesh = SurfaceNets(ball, far, kCell_m, 1);
+  EXPECT_EQ(EulerCharacteristic(mesh), 2);
+  // The grid has 201^3 points, 8.1 million.
+  EXPECT_LT(asked, 100'000);
 }
 
 TEST(SurfaceNets, AreOpenOnlyAtTheBox) {
