@@ -4,7 +4,7 @@
 /// Sine, cosine, arc tangent and decay of several numbers at the same time.
 ///
 /// They are made of sums, products, quotients and choices alone, which every machine rounds alike:
-/// a number has the same result in a Pair, in a Quad and on any processor. L is Pair or Quad. Both
+/// a number has the same result in a Pair, in a Four and on any processor. L is Pair or Four. Both
 /// have arithmetic, Rounded, WhereLess, TurnByQuarters and PowersOfTwo.
 #pragma once
 

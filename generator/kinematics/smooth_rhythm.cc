@@ -157,23 +157,23 @@ SmoothRhythm::SmoothRhythm(const RhythmTable& table)
                                    {mean_.q_SH.w, mean_.q_SH.x, mean_.q_SH.y, mean_.q_SH.z}, 2);
                       return std::array{Pair(gh.x, gh.y), Pair(gh.z, 0)};
                     }),
-      quads_(grid_,
-             [&, turns = TurnsOf(table), count = table.elevations_rad().size()](std::size_t i,
-                                                                                std::size_t plane) {
-               const auto joints = RotationsAt(table, i, plane);
-               const Vector3 sc = FromMean(joints[0], Single(mean_.q_TC_CS, 0), 0);
-               const Vector3 ac = FromMean(joints[1], Single(mean_.q_TC_CS, 1), 1);
-               return std::array{Quad(sc.x, ac.x, sc.y, ac.y),
-                                 Quad(sc.z, ac.z, turns[plane * count + i], 0)};
-             }),
-      glenohumeral_quads_(grid_,
-                          [&](std::size_t i, std::size_t plane) {
-                            const Vector3 gh = FromMean(
-                                RotationsAt(table, i, plane)[2],
-                                {mean_.q_SH.w, mean_.q_SH.x, mean_.q_SH.y, mean_.q_SH.z}, 2);
-                            return std::array{Quad(gh.x, gh.y, gh.z, 0)};
-                          }),
-      mean_quads_{mean_.q_TC_CS.w, mean_.q_TC_CS.x, mean_.q_TC_CS.y, mean_.q_TC_CS.z},
+      four_(grid_,
+            [&, turns = TurnsOf(table), count = table.elevations_rad().size()](std::size_t i,
+                                                                               std::size_t plane) {
+              const auto joints = RotationsAt(table, i, plane);
+              const Vector3 sc = FromMean(joints[0], Single(mean_.q_TC_CS, 0), 0);
+              const Vector3 ac = FromMean(joints[1], Single(mean_.q_TC_CS, 1), 1);
+              return std::array{Four(sc.x, ac.x, sc.y, ac.y),
+                                Four(sc.z, ac.z, turns[plane * count + i], 0)};
+            }),
+      glenohumeral_four_(grid_,
+                         [&](std::size_t i, std::size_t plane) {
+                           const Vector3 gh = FromMean(
+                               RotationsAt(table, i, plane)[2],
+                               {mean_.q_SH.w, mean_.q_SH.x, mean_.q_SH.y, mean_.q_SH.z}, 2);
+                           return std::array{Four(gh.x, gh.y, gh.z, 0)};
+                         }),
+      mean_fours_{mean_.q_TC_CS.w, mean_.q_TC_CS.x, mean_.q_TC_CS.y, mean_.q_TC_CS.z},
       hanging_(EndPosture(kHangingSc_deg, kHangingAc_deg, mean_.q_TC_CS)),
       upright_(EndPosture(kUprightSc_deg, kUprightAc_deg, mean_.q_TC_CS)),
       span_rad_(std::min(kRateSpan_rad, edges_.highest_rad - edges_.lowest_rad)),

@@ -26,7 +26,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "kinematics/quad.h"
+#include "kinematics/four.h"
 #include "kinematics/rhythm_table.h"
 #include "kinematics/rotation_algebra.h"
 #include "kinematics/surface_spline.h"
@@ -90,16 +90,16 @@ class SmoothRhythm {
   [[nodiscard]] GirdleRates RatesOfGirdle(double elevation_rad, double plane_rad) const noexcept;
   [[nodiscard]] JointRates RatesOfJoints(double elevation_rad, double plane_rad) const noexcept;
 
-  /// Girdle of four poses, all of one region and with the bits of each alone; `InTable` for the
-  /// region 0, `BeyondTable` for the others. For functions into which all is inlined: they are
-  /// defined in smooth_rhythm_rule.h.
-  [[nodiscard]] GirdleOf<Quad> GirdlesInTable(const Quad& elevations_rad,
-                                              const Quad& planes_rad) const noexcept;
-  [[nodiscard]] GirdleOf<Quad> GirdlesBeyondTable(const Quad& elevations_rad,
-                                                  const Quad& planes_rad) const noexcept;
+  /// Girdle<double> of four commands of one region, with the bits that each has alone: the first
+  /// function for the region 0, the second for every other. Their definitions are in
+  /// smooth_rhythm_rule.h, for a caller who compiles them for his processor.
+  [[nodiscard]] GirdleOf<Four> GirdlesInTable(const Four& elevations_rad,
+                                              const Four& planes_rad) const noexcept;
+  [[nodiscard]] GirdleOf<Four> GirdlesBeyondTable(const Four& elevations_rad,
+                                                  const Four& planes_rad) const noexcept;
   /// q_SH of Joints, likewise.
-  [[nodiscard]] QuaternionOf<Quad> HumeriInScapulae(const Quad& elevations_rad,
-                                                    const Quad& planes_rad) const noexcept;
+  [[nodiscard]] QuaternionOf<Four> HumeriInScapulae(const Four& elevations_rad,
+                                                    const Four& planes_rad) const noexcept;
 
   static constexpr std::size_t kRegions = 18;
   /// Returns in which region a command lies, below kRegions: all of a region take the same way
@@ -128,12 +128,13 @@ class SmoothRhythm {
     VectorOf<PairOf<T>> u;
     T turn_rad;
   };
-  /// The derivative of order (I, J); coordinates are numbers or, one of them or for quads both, T.
+  /// The derivative of order (I, J). One coordinate is of type T and the other a number; for T =
+  /// Four both may be of type T.
   template <typename T, std::size_t I, std::size_t J, typename E, typename P>
   [[nodiscard]] Surfaces<T> SurfacesAt(const E& elevation_rad, const P& plane_rad) const noexcept;
   template <std::size_t I, std::size_t J, typename E, typename P>
-  [[nodiscard]] Surfaces<Quad> SurfacesOfQuads(const E& elevation_rad,
-                                               const P& plane_rad) const noexcept;
+  [[nodiscard]] Surfaces<Four> SurfacesOfFour(const E& elevation_rad,
+                                              const P& plane_rad) const noexcept;
 
   /// The table at its first or last plane: SC and AC, how they turn with the plane (parent's axes),
   /// and tau.
@@ -206,13 +207,13 @@ class SmoothRhythm {
   SurfaceSpline<double, 1> turn_;        ///< tau
   SurfaceSpline<Pair, 2> glenohumeral_;  ///< u of GH: (x, y), (z, 0)
   /// girdle_ and turn_ side by side: (SC x, AC x, SC y, AC y), (SC z, AC z, tau, 0).
-  SurfaceSpline<Quad, 2> quads_;
-  SurfaceSpline<Quad, 1> glenohumeral_quads_;  ///< (x, y, z, 0)
-  QuaternionOf<QuadPair> mean_quads_;          ///< mean_ of SC and AC
-  QuaternionOf<Pair> hanging_;                 ///< where the rule goes at elevation 0
-  QuaternionOf<Pair> upright_;                 ///< at elevation 180
-  double hanging_turn_rad_ = 0;                ///< tau at elevation 0
-  double span_rad_;                            ///< below the top, over which the mean rate is taken
+  SurfaceSpline<Four, 2> four_;
+  SurfaceSpline<Four, 1> glenohumeral_four_;  ///< (x, y, z, 0)
+  QuaternionOf<FourPairs> mean_fours_;        ///< mean_ of SC and AC
+  QuaternionOf<Pair> hanging_;                ///< where the rule goes at elevation 0
+  QuaternionOf<Pair> upright_;                ///< at elevation 180
+  double hanging_turn_rad_ = 0;               ///< tau at elevation 0
+  double span_rad_;                           ///< below the top, over which the mean rate is taken
   EndRow bottom_;
   EndRow top_;
 };

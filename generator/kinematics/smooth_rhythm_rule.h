@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <type_traits>
 
-#include "kinematics/quad.h"
+#include "kinematics/four.h"
 #include "kinematics/smooth_rhythm.h"
 
 namespace girdle {
@@ -54,7 +54,7 @@ GIRDLE_INLINE auto AtPoint(const SurfaceSpline<L, K>& surface,
 
 // A number is the same for all four poses.
 GIRDLE_INLINE double OfPose(double x, std::size_t /*pose*/) noexcept { return x; }
-GIRDLE_INLINE double OfPose(const Quad& x, std::size_t pose) noexcept { return x[pose]; }
+GIRDLE_INLINE double OfPose(const Four& x, std::size_t pose) noexcept { return x[pose]; }
 
 template <typename T>
 GIRDLE_INLINE QuaternionOf<T> FromMeanBy(const VectorOf<T>& u,
@@ -95,8 +95,8 @@ QuaternionOf<Dual<PairOf<T>>> Constant(const QuaternionOf<Dual<Pair>>& q) noexce
 template <typename T, std::size_t I, std::size_t J, typename E, typename P>
 SmoothRhythm::Surfaces<T> SmoothRhythm::SurfacesAt(const E& elevation_rad,
                                                    const P& plane_rad) const noexcept {
-  if constexpr (std::is_same_v<T, Quad>) {
-    return SurfacesOfQuads<I, J>(elevation_rad, plane_rad);
+  if constexpr (std::is_same_v<T, Four>) {
+    return SurfacesOfFour<I, J>(elevation_rad, plane_rad);
   } else {
     return {Evaluate<I, J>(girdle_, grid_, elevation_rad, plane_rad),
             Evaluate<I, J>(turn_, grid_, elevation_rad, plane_rad)[0]};
@@ -104,22 +104,22 @@ SmoothRhythm::Surfaces<T> SmoothRhythm::SurfacesAt(const E& elevation_rad,
 }
 
 template <std::size_t I, std::size_t J, typename E, typename P>
-SmoothRhythm::Surfaces<Quad> SmoothRhythm::SurfacesOfQuads(const E& elevation_rad,
-                                                           const P& plane_rad) const noexcept {
+SmoothRhythm::Surfaces<Four> SmoothRhythm::SurfacesOfFour(const E& elevation_rad,
+                                                          const P& plane_rad) const noexcept {
   using smooth_rhythm_detail::OfPose;
-  std::array<SurfaceSpline<Quad, 2>::Values, Quad::kSize> of_pose;
-  for (std::size_t i = 0; i < Quad::kSize; ++i) {
+  std::array<SurfaceSpline<Four, 2>::Values, Four::kSize> of_pose;
+  for (std::size_t i = 0; i < Four::kSize; ++i) {
     const auto place = grid_.PlaceOf(OfPose(elevation_rad, i), OfPose(plane_rad, i));
     if constexpr (I == 0 && J == 0) {
-      of_pose[i] = quads_.At(place);
+      of_pose[i] = four_.At(place);
     } else {
-      of_pose[i] = quads_.Partial<I, J>(place);
+      of_pose[i] = four_.Partial<I, J>(place);
     }
   }
   auto& [a, b, c, d] = of_pose;
-  Quad::Transpose(a[0], b[0], c[0], d[0]);
-  Quad::Transpose(a[1], b[1], c[1], d[1]);
-  return {{QuadPair(a[0], b[0]), QuadPair(c[0], d[0]), QuadPair(a[1], b[1])}, c[1]};
+  Four::Transpose(a[0], b[0], c[0], d[0]);
+  Four::Transpose(a[1], b[1], c[1], d[1]);
+  return {{FourPairs(a[0], b[0]), FourPairs(c[0], d[0]), FourPairs(a[1], b[1])}, c[1]};
 }
 
 // ---- Beyond the table.
@@ -329,25 +329,25 @@ JointsOf<T> SmoothRhythm::Joints(double elevation_rad, double plane_rad) const n
           ExpOf(u_SH) * mean_.q_SH};
 }
 
-inline GirdleOf<Quad> SmoothRhythm::GirdlesInTable(const Quad& elevations_rad,
-                                                   const Quad& planes_rad) const noexcept {
-  const Surfaces<Quad> surfaces = SurfacesOfQuads<0, 0>(elevations_rad, planes_rad);
-  return {ExpOf(surfaces.u) * mean_quads_, surfaces.turn_rad};
+inline GirdleOf<Four> SmoothRhythm::GirdlesInTable(const Four& elevations_rad,
+                                                   const Four& planes_rad) const noexcept {
+  const Surfaces<Four> surfaces = SurfacesOfFour<0, 0>(elevations_rad, planes_rad);
+  return {ExpOf(surfaces.u) * mean_fours_, surfaces.turn_rad};
 }
 
-inline GirdleOf<Quad> SmoothRhythm::GirdlesBeyondTable(const Quad& elevations_rad,
-                                                       const Quad& planes_rad) const noexcept {
+inline GirdleOf<Four> SmoothRhythm::GirdlesBeyondTable(const Four& elevations_rad,
+                                                       const Four& planes_rad) const noexcept {
   return BeyondTable(elevations_rad, planes_rad);
 }
 
-inline QuaternionOf<Quad> SmoothRhythm::HumeriInScapulae(const Quad& elevations_rad,
-                                                         const Quad& planes_rad) const noexcept {
-  std::array<Quad, Quad::kSize> u;
-  for (std::size_t i = 0; i < Quad::kSize; ++i) {
-    u[i] = glenohumeral_quads_.At(grid_.PlaceOf(elevations_rad[i], planes_rad[i]))[0];
+inline QuaternionOf<Four> SmoothRhythm::HumeriInScapulae(const Four& elevations_rad,
+                                                         const Four& planes_rad) const noexcept {
+  std::array<Four, Four::kSize> u;
+  for (std::size_t i = 0; i < Four::kSize; ++i) {
+    u[i] = glenohumeral_four_.At(grid_.PlaceOf(elevations_rad[i], planes_rad[i]))[0];
   }
-  Quad::Transpose(u[0], u[1], u[2], u[3]);
-  return ExpOf(VectorOf<Quad>{u[0], u[1], u[2]}) * mean_.q_SH;
+  Four::Transpose(u[0], u[1], u[2], u[3]);
+  return ExpOf(VectorOf<Four>{u[0], u[1], u[2]}) * mean_.q_SH;
 }
 
 }  // namespace girdle

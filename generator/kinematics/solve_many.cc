@@ -33,14 +33,14 @@
 namespace girdle {
 namespace {
 
-// Commands of a block: what a thread takes at a time. Its poses fit into the first cache, and of
-// the commands in each region at most three share a quad with copies.
+// Commands of a block: what a thread takes at a time. So many that three copies of a command, to
+// fill up the last four of a region, are few beside them.
 constexpr std::size_t kBlock = 256;
 
 // ---- Four poses at a time.
 
-// Commands of one region, in whole quads: behind the last one it stands again.
-struct QuadWork {
+// Commands of one region, in whole fours: behind the last one it stands again.
+struct FourWork {
   const SmoothRhythm& smooth;
   std::span<const double> elevations_rad;
   std::span<const double> planes_rad;
@@ -49,13 +49,13 @@ struct QuadWork {
 };
 
 // Each rotation becomes that of one pose.
-GIRDLE_INLINE void Store(const QuaternionOf<Quad>& q, Quaternion& a, Quaternion& b, Quaternion& c,
+GIRDLE_INLINE void Store(const QuaternionOf<Four>& q, Quaternion& a, Quaternion& b, Quaternion& c,
                          Quaternion& d) noexcept {
-  Quad in_a = q.w;
-  Quad in_b = q.x;
-  Quad in_c = q.y;
-  Quad in_d = q.z;
-  Quad::Transpose(in_a, in_b, in_c, in_d);
+  Four in_a = q.w;
+  Four in_b = q.x;
+  Four in_c = q.y;
+  Four in_d = q.z;
+  Four::Transpose(in_a, in_b, in_c, in_d);
   a = {in_a[0], in_a[1], in_a[2], in_a[3]};
   b = {in_b[0], in_b[1], in_b[2], in_b[3]};
   c = {in_c[0], in_c[1], in_c[2], in_c[3]};
@@ -63,19 +63,19 @@ GIRDLE_INLINE void Store(const QuaternionOf<Quad>& q, Quaternion& a, Quaternion&
 }
 
 template <bool IsInTable, Closure kClosure>
-GIRDLE_INLINE void SolveQuads(const QuadWork& work) noexcept {
-  for (std::size_t i = 0; i < work.places.size(); i += Quad::kSize) {
-    const Quad theta = Quad::From(work.elevations_rad.data() + i);
-    const Quad psi = Quad::From(work.planes_rad.data() + i);
-    const GirdleOf<Quad> girdle = IsInTable ? work.smooth.GirdlesInTable(theta, psi)
+GIRDLE_INLINE void SolveFours(const FourWork& work) noexcept {
+  for (std::size_t i = 0; i < work.places.size(); i += Four::kSize) {
+    const Four theta = Four::From(work.elevations_rad.data() + i);
+    const Four psi = Four::From(work.planes_rad.data() + i);
+    const GirdleOf<Four> girdle = IsInTable ? work.smooth.GirdlesInTable(theta, psi)
                                             : work.smooth.GirdlesBeyondTable(theta, psi);
-    const QuaternionOf<Quad> q_TC = Element(girdle.q_TC_CS, 0);
-    const QuaternionOf<Quad> q_CS = Element(girdle.q_TC_CS, 1);
-    const QuaternionOf<Quad> q_SH =
+    const QuaternionOf<Four> q_TC = Element(girdle.q_TC_CS, 0);
+    const QuaternionOf<Four> q_CS = Element(girdle.q_TC_CS, 1);
+    const QuaternionOf<Four> q_SH =
         kClosure == Closure::kExact
             ? Inverse(q_TC * q_CS) * HumerusRotation(theta, psi, girdle.turn_rad)
             : work.smooth.HumeriInScapulae(theta, psi);
-    const auto store = [&](const QuaternionOf<Quad>& q, Quaternion ShoulderPose::*joint) {
+    const auto store = [&](const QuaternionOf<Four>& q, Quaternion ShoulderPose::*joint) {
       Store(q, work.poses[work.places[i]].*joint, work.poses[work.places[i + 1]].*joint,
             work.poses[work.places[i + 2]].*joint, work.poses[work.places[i + 3]].*joint);
     };
@@ -86,43 +86,43 @@ GIRDLE_INLINE void SolveQuads(const QuadWork& work) noexcept {
 }
 
 // The rotation of each of four poses, or its negative, with w not negative.
-GIRDLE_INLINE QuaternionOf<Quad> PositiveQuads(const Quaternion& a, const Quaternion& b,
+GIRDLE_INLINE QuaternionOf<Four> PositiveFours(const Quaternion& a, const Quaternion& b,
                                                const Quaternion& c, const Quaternion& d) noexcept {
-  Quad w(a.w, a.x, a.y, a.z);
-  Quad x(b.w, b.x, b.y, b.z);
-  Quad y(c.w, c.x, c.y, c.z);
-  Quad z(d.w, d.x, d.y, d.z);
-  Quad::Transpose(w, x, y, z);
-  return {Quad::WhereLess(w, 0.0, -w, w), Quad::WhereLess(w, 0.0, -x, x),
-          Quad::WhereLess(w, 0.0, -y, y), Quad::WhereLess(w, 0.0, -z, z)};
+  Four w(a.w, a.x, a.y, a.z);
+  Four x(b.w, b.x, b.y, b.z);
+  Four y(c.w, c.x, c.y, c.z);
+  Four z(d.w, d.x, d.y, d.z);
+  Four::Transpose(w, x, y, z);
+  return {Four::WhereLess(w, 0.0, -w, w), Four::WhereLess(w, 0.0, -x, x),
+          Four::WhereLess(w, 0.0, -y, y), Four::WhereLess(w, 0.0, -z, z)};
 }
 
 // As AnglesFromPose, of all poses.
-GIRDLE_INLINE void AnglesOfQuads(std::span<const ShoulderPose> poses,
+GIRDLE_INLINE void AnglesOfFours(std::span<const ShoulderPose> poses,
                                  std::span<JointAngles> angles_rad) noexcept {
   const std::size_t count = poses.size();
-  for (std::size_t first = 0; first < count; first += Quad::kSize) {
-    const std::array<std::size_t, Quad::kSize> places = {first, std::min(first + 1, count - 1),
+  for (std::size_t first = 0; first < count; first += Four::kSize) {
+    const std::array<std::size_t, Four::kSize> places = {first, std::min(first + 1, count - 1),
                                                          std::min(first + 2, count - 1),
                                                          std::min(first + 3, count - 1)};
     const auto positive = [&](Quaternion ShoulderPose::*joint) {
-      return PositiveQuads(poses[places[0]].*joint, poses[places[1]].*joint,
+      return PositiveFours(poses[places[0]].*joint, poses[places[1]].*joint,
                            poses[places[2]].*joint, poses[places[3]].*joint);
     };
-    const QuaternionOf<Quad> sc = positive(&ShoulderPose::q_TC);
-    const QuaternionOf<Quad> ac = positive(&ShoulderPose::q_CS);
-    const QuaternionOf<Quad> gh = positive(&ShoulderPose::q_SH);
-    const VectorOf<QuadPair> girdle_rad = EulerAngles(QuadPair(sc.w, ac.w), QuadPair(sc.y, ac.y),
-                                                      QuadPair(sc.x, ac.x), QuadPair(sc.z, ac.z));
+    const QuaternionOf<Four> sc = positive(&ShoulderPose::q_TC);
+    const QuaternionOf<Four> ac = positive(&ShoulderPose::q_CS);
+    const QuaternionOf<Four> gh = positive(&ShoulderPose::q_SH);
+    const VectorOf<FourPairs> girdle_rad = EulerAngles(
+        FourPairs(sc.w, ac.w), FourPairs(sc.y, ac.y), FourPairs(sc.x, ac.x), FourPairs(sc.z, ac.z));
 
-    const QuadPair sine{gh.y + gh.x, gh.x - gh.y};
-    const QuadPair cosine{gh.w - gh.z, gh.z + gh.w};
-    const QuadPair half_rad = Atan2(sine, cosine);
-    const QuadPair squared = sine * sine + cosine * cosine;
-    const Quad flexion_rad =
-        Atan2OfLanes(Quad(0.5 * (squared[1] - squared[0])), Sqrt(Quad(squared[0] * squared[1])));
-    const Quad axial_rad = WithinHalfTurn(half_rad[0] - half_rad[1] - kGhAxialMiddle_rad);
-    const std::array<Quad, kCoordinateCount> coordinates = {
+    const FourPairs sine{gh.y + gh.x, gh.x - gh.y};
+    const FourPairs cosine{gh.w - gh.z, gh.z + gh.w};
+    const FourPairs half_rad = Atan2(sine, cosine);
+    const FourPairs squared = sine * sine + cosine * cosine;
+    const Four flexion_rad =
+        Atan2OfLanes(Four(0.5 * (squared[1] - squared[0])), Sqrt(Four(squared[0] * squared[1])));
+    const Four axial_rad = WithinHalfTurn(half_rad[0] - half_rad[1] - kGhAxialMiddle_rad);
+    const std::array<Four, kCoordinateCount> coordinates = {
         girdle_rad[0][0],
         girdle_rad[1][0],
         girdle_rad[2][0],
@@ -132,7 +132,7 @@ GIRDLE_INLINE void AnglesOfQuads(std::span<const ShoulderPose> poses,
         WithinHalfTurn(half_rad[0] + half_rad[1]),
         flexion_rad,
         axial_rad + kGhAxialMiddle_rad};
-    for (std::size_t i = 0; i < Quad::kSize; ++i) {
+    for (std::size_t i = 0; i < Four::kSize; ++i) {
       for (std::size_t k = 0; k < kCoordinateCount; ++k) {
         angles_rad[places[i]][k] = coordinates[k][i];
       }
@@ -141,18 +141,18 @@ GIRDLE_INLINE void AnglesOfQuads(std::span<const ShoulderPose> poses,
 }
 
 #if GIRDLE_HAS_AVX2
-GIRDLE_AVX2 void SolveInTable(const QuadWork& work) noexcept {
-  SolveQuads<true, Closure::kExact>(work);
+GIRDLE_AVX2 void SolveInTable(const FourWork& work) noexcept {
+  SolveFours<true, Closure::kExact>(work);
 }
-GIRDLE_AVX2 void SolveInTableWithItsArm(const QuadWork& work) noexcept {
-  SolveQuads<true, Closure::kTable>(work);
+GIRDLE_AVX2 void SolveInTableWithItsArm(const FourWork& work) noexcept {
+  SolveFours<true, Closure::kTable>(work);
 }
-GIRDLE_AVX2 void SolveBeyondTable(const QuadWork& work) noexcept {
-  SolveQuads<false, Closure::kExact>(work);
+GIRDLE_AVX2 void SolveBeyondTable(const FourWork& work) noexcept {
+  SolveFours<false, Closure::kExact>(work);
 }
 GIRDLE_AVX2 void Angles(std::span<const ShoulderPose> poses,
                         std::span<JointAngles> angles_rad) noexcept {
-  AnglesOfQuads(poses, angles_rad);
+  AnglesOfFours(poses, angles_rad);
 }
 #endif
 
@@ -239,17 +239,17 @@ class ManySolver {
   }
 
  private:
-  // Commands by region, those of each behind those of the one before, each in whole quads.
+  // Commands by region, those of each behind those of the one before, each in whole fours.
   struct Sorted {
-    static constexpr std::size_t kMost = kBlock + SmoothRhythm::kRegions * (Quad::kSize - 1);
-    alignas(Quad) std::array<double, kMost> elevations_rad;
-    alignas(Quad) std::array<double, kMost> planes_rad;
+    static constexpr std::size_t kMost = kBlock + SmoothRhythm::kRegions * (Four::kSize - 1);
+    alignas(Four) std::array<double, kMost> elevations_rad;
+    alignas(Four) std::array<double, kMost> planes_rad;
     std::array<std::uint16_t, kMost> places;
   };
 
   void SolvePoses(std::span<const ArmCommand> commands, std::size_t first,
                   std::span<ShoulderPose> poses) const noexcept {
-    const bool by_quads = GIRDLE_HAS_AVX2 != 0 && has_avx2_ && rhythm_.smooth_.has_value();
+    const bool by_fours = GIRDLE_HAS_AVX2 != 0 && has_avx2_ && rhythm_.smooth_.has_value();
     std::array<double, kBlock> elevations_rad;  // NOLINT(*-member-init): those to come
     std::array<double, kBlock> planes_rad;      // NOLINT(*-member-init)
     std::array<std::uint16_t, kBlock> places;   // NOLINT(*-member-init)
@@ -264,7 +264,7 @@ class ManySolver {
       }
       const bool has_extras =
           used.axial_rad != 0 || used.shrug_rad != 0 || used.protraction_rad != 0;
-      if (!by_quads || has_extras) {
+      if (!by_fours || has_extras) {
         poses[i] = rhythm_.PoseFor(used);
       } else {
         elevations_rad[count] = used.elevation_rad;
@@ -276,7 +276,7 @@ class ManySolver {
     }
 #if GIRDLE_HAS_AVX2
     if (count > 0) {
-      SolveQuads(std::span(elevations_rad).first(count), std::span(planes_rad).first(count),
+      SolveFours(std::span(elevations_rad).first(count), std::span(planes_rad).first(count),
                  std::span(places).first(count), all_in_table, poses);
     }
 #endif
@@ -296,7 +296,7 @@ class ManySolver {
   }
 
 #if GIRDLE_HAS_AVX2
-  void SolveQuads(std::span<const double> elevations_rad, std::span<const double> planes_rad,
+  void SolveFours(std::span<const double> elevations_rad, std::span<const double> planes_rad,
                   std::span<const std::uint16_t> places, bool all_in_table,
                   std::span<ShoulderPose> poses) const noexcept {
     constexpr std::size_t kRegions = SmoothRhythm::kRegions;
@@ -317,7 +317,7 @@ class ManySolver {
     std::size_t next = 0;
     for (std::size_t region = 0; region < kRegions; ++region) {
       starts[region] = next;
-      next += (sizes[region] + Quad::kSize - 1) / Quad::kSize * Quad::kSize;
+      next += (sizes[region] + Four::kSize - 1) / Four::kSize * Four::kSize;
     }
     Sorted sorted;  // NOLINT(*-member-init): as far as it is used
     std::array<std::size_t, kRegions> ends = starts;
@@ -334,13 +334,13 @@ class ManySolver {
       if (sizes[region] == 0) {
         continue;
       }
-      while (ends[region] % Quad::kSize != 0) {
+      while (ends[region] % Four::kSize != 0) {
         const std::size_t last = ends[region] - 1;
         put(region, sorted.elevations_rad[last], sorted.planes_rad[last], sorted.places[last]);
       }
       const std::size_t start = starts[region];
       const std::size_t size = ends[region] - start;
-      const QuadWork work{smooth, std::span(sorted.elevations_rad).subspan(start, size),
+      const FourWork work{smooth, std::span(sorted.elevations_rad).subspan(start, size),
                           std::span(sorted.planes_rad).subspan(start, size),
                           std::span(sorted.places).subspan(start, size), poses};
       if (region != 0) {
