@@ -26,6 +26,7 @@
 #include "kinematics/rotation.h"
 #include "kinematics/shoulder_pose.h"
 #include "kinematics/shoulder_rhythm.h"
+#include "kinematics/solve_many.h"
 #include "kinematics/words.h"
 #include "mjcf/scene.h"
 #include "mjcf/shoulder_model.h"

@@ -16,13 +16,12 @@ namespace girdle {
 template <typename T>
 [[nodiscard]] QuaternionOf<T> HumerusRotation(const T& theta_rad, const T& psi_rad,
                                               const T& tau_rad) noexcept {
-  const T half_theta = 0.5 * theta_rad;
   const T half_tau = 0.5 * tau_rad;
-  const T across = psi_rad - half_tau;
-  const T cosine = Cos(half_theta);
-  const T sine = Sin(half_theta);
-  return {cosine * Cos(half_tau), -(sine * Cos(across)), cosine * Sin(half_tau),
-          sine * Sin(across)};
+  const SineAndCosine<T> theta = SineAndCosineOf(T(0.5 * theta_rad));
+  const SineAndCosine<T> tau = SineAndCosineOf(half_tau);
+  const SineAndCosine<T> across = SineAndCosineOf(T(psi_rad - half_tau));
+  return {theta.cosine * tau.cosine, -(theta.sine * across.cosine), theta.cosine * tau.sine,
+          theta.sine * across.sine};
 }
 
 /// The same for numbers, in less time. Precondition: the angles are finite and of some turns at

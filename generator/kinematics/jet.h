@@ -241,34 +241,20 @@ template <typename L, int Order>
 }
 
 template <typename L, int Order>
-[[nodiscard]] Jet<L, Order> Sin(const Jet<L, Order>& x) noexcept {
-  const L sine = Sin(x.part[kValue]);
-  return Composed(x, sine, Cos(x.part[kValue]), -sine);
-}
-template <typename L, int Order>
-[[nodiscard]] Jet<L, Order> Cos(const Jet<L, Order>& x) noexcept {
-  const L cosine = Cos(x.part[kValue]);
-  return Composed(x, cosine, -Sin(x.part[kValue]), -cosine);
+[[nodiscard]] SineAndCosine<Jet<L, Order>> SineAndCosineOf(const Jet<L, Order>& x) noexcept {
+  const auto [sine, cosine] = SineAndCosineOf(x.part[kValue]);
+  return {Composed(x, sine, cosine, -sine), Composed(x, cosine, -sine, -cosine)};
 }
 template <typename T>
-[[nodiscard]] Dual<T> Sin(const Dual<T>& x) noexcept {
-  return {Sin(x.value), Cos(x.value) * x.slope};
-}
-template <typename T>
-[[nodiscard]] Dual<T> Cos(const Dual<T>& x) noexcept {
-  return {Cos(x.value), -(Sin(x.value) * x.slope)};
+[[nodiscard]] SineAndCosine<Dual<T>> SineAndCosineOf(const Dual<T>& x) noexcept {
+  const auto [sine, cosine] = SineAndCosineOf(x.value);
+  return {{sine, cosine * x.slope}, {cosine, -(sine * x.slope)}};
 }
 
-[[nodiscard]] inline double Exponential(double x) noexcept { return std::exp(x); }
 template <int Order>
-[[nodiscard]] Jet<double, Order> Exponential(const Jet<double, Order>& x) noexcept {
-  const double value = std::exp(x.part[kValue]);
-  return Composed(x, value, value, value);
-}
-template <typename T>
-[[nodiscard]] Dual<T> Exponential(const Dual<T>& x) noexcept {
-  const T value = Exponential(x.value);
-  return {value, value * x.slope};
+[[nodiscard]] Jet<double, Order> Decay(const Jet<double, Order>& x) noexcept {
+  const double value = Decay(x.part[kValue]);
+  return Composed(x, value, -value, value);
 }
 
 /// Angle of the point (x, y), not the origin.

@@ -11,6 +11,7 @@
 #include <cstddef>
 
 #include "kinematics/jet.h"
+#include "kinematics/lane_functions.h"
 #include "kinematics/rotation.h"
 
 namespace girdle {
@@ -65,19 +66,7 @@ template <typename P>
 
 namespace rotation_algebra_detail {
 
-// shift! sum (-x)^n / (2n + shift)!, which is cos(sqrt x) for shift 0 and sin(sqrt x)/sqrt x for
-// shift 1.
-template <std::size_t N>
-constexpr std::array<double, N> AlternatingSeries(int shift) {
-  std::array<double, N> coefficients{};
-  long double term = 1;
-  for (std::size_t n = 0; n < N; ++n) {
-    coefficients[n] = static_cast<double>(term);
-    const long double factor = 2 * static_cast<long double>(n) + shift + 1;
-    term /= -factor * (factor + 1);
-  }
-  return coefficients;
-}
+using lane_functions_detail::AlternatingSeries;
 
 // arccos(1 - y) / sqrt(1 - (1 - y)^2) = sum n! / (2n + 1)!! y^n, for 0 <= y < 2.
 template <std::size_t N>
@@ -211,6 +200,27 @@ template <typename L>
   return {exp * m, velocity(u_1), velocity(u_2)};
 }
 
+/// A rotation and its angular velocity in the parent's axes.
+template <typename P>
+struct TurningRotation {
+  QuaternionOf<P> q;
+  VectorOf<P> w;
+};
+
+/// exp(u) m where u changes by u_1, as MovingExp, over any scalar.
+template <typename P, typename M>
+[[nodiscard]] TurningRotation<P> TurningExp(const VectorOf<P>& u, const VectorOf<P>& u_1,
+                                            const QuaternionOf<M>& m) noexcept {
+  const P square = u[0] * u[0] + u[1] * u[1] + u[2] * u[2];
+  const CosineAndSine<P> half = CosineAndSineOfRoot(P(0.25 * square));
+  const P scale = 0.5 * half.sine_over_root;
+  const P second = scale * half.sine_over_root;
+  const P third = (1.0 / 6) * Polynomial(rotation_algebra_detail::kThird, square);
+  const VectorOf<P> once = Cross(u, u_1);
+  const QuaternionOf<P> exp{half.cosine, scale * u[0], scale * u[1], scale * u[2]};
+  return {exp * m, u_1 + Scaled(second, once) + Scaled(third, Cross(u, once))};
+}
+
 /// -1 where a number is negative, 1 elsewhere.
 [[nodiscard]] inline double SignOf(double x) noexcept { return x < 0 ? -1 : 1; }
 [[nodiscard]] inline Pair SignOf(Pair x) noexcept { return Pair::WhereLess(x, 0.0, -1.0, 1.0); }
@@ -230,17 +240,17 @@ template <typename T>
 /// Returns the turn by an angle about y.
 template <typename T>
 [[nodiscard]] QuaternionOf<T> AboutYOf(const T& angle_rad) noexcept {
-  const T half = 0.5 * angle_rad;
-  return {Cos(half), T(0.0), Sin(half), T(0.0)};
+  const SineAndCosine<T> half = SineAndCosineOf(T(0.5 * angle_rad));
+  return {half.cosine, T(0.0), half.sine, T(0.0)};
 }
 
 /// Returns the angular velocity of the child in the parent along the dual's line, in the axes of
-/// the child: w = 2 q^-1 dq.
+/// the parent: w = 2 dq q^-1.
 template <typename T>
-[[nodiscard]] VectorOf<T> BodyVelocity(const QuaternionOf<Dual<T>>& q) noexcept {
+[[nodiscard]] VectorOf<T> ParentVelocity(const QuaternionOf<Dual<T>>& q) noexcept {
   const QuaternionOf<T> value{q.w.value, q.x.value, q.y.value, q.z.value};
   const QuaternionOf<T> slope{q.w.slope, q.x.slope, q.y.slope, q.z.slope};
-  return Scaled(T(2.0), (Inverse(value) * slope).vector());
+  return Scaled(T(2.0), (slope * Inverse(value)).vector());
 }
 
 /// The rotation without its slope.

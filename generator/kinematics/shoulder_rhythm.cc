@@ -106,12 +106,13 @@ QuaternionOf<Jet<Pair, Order>> WithOffsetsOf(const QuaternionOf<Jet<Pair, Order>
   }
   using T = Jet<double, Order>;
   const VectorOf<T> angles = EulerJets(EulerSequence::kYXZ, Element(q_TC_CS, 0));
-  const T y = 0.5 * Added(angles[0], used.protraction_rad, wanted.protraction_rad, ranges[0]);
-  const T x = 0.5 * Added(angles[1], -used.shrug_rad, -wanted.shrug_rad, ranges[1]);
-  const T z = 0.5 * angles[2];
-  const QuaternionOf<T> q_TC = QuaternionOf<T>{Cos(y), T(0.0), Sin(y), T(0.0)} *
-                               QuaternionOf<T>{Cos(x), Sin(x), T(0.0), T(0.0)} *
-                               QuaternionOf<T>{Cos(z), T(0.0), T(0.0), Sin(z)};
+  const SineAndCosine<T> x =
+      SineAndCosineOf(T(0.5 * Added(angles[1], -used.shrug_rad, -wanted.shrug_rad, ranges[1])));
+  const SineAndCosine<T> z = SineAndCosineOf(T(0.5 * angles[2]));
+  const QuaternionOf<T> q_TC =
+      AboutYOf(Added(angles[0], used.protraction_rad, wanted.protraction_rad, ranges[0])) *
+      QuaternionOf<T>{x.cosine, x.sine, T(0.0), T(0.0)} *
+      QuaternionOf<T>{z.cosine, T(0.0), T(0.0), z.sine};
   QuaternionOf<Jet<Pair, Order>> offset = q_TC_CS;
   const auto replace_first = [](Jet<Pair, Order>& pair, const T& first) {
     for (std::size_t i = 0; i < pair.part.size(); ++i) {
@@ -220,8 +221,15 @@ ShoulderRhythm::Used ShoulderRhythm::UsedFor(double elevation_rad,
   return used;
 }
 
-Origin ShoulderRhythm::OriginOf(const RhythmCell& cell, bool outside) const noexcept {
-  if (outside) {
+double ShoulderRhythm::DistanceFor(const ArmCommand& command,
+                                   const ArmCommand& used) const noexcept {
+  return std::max(DistanceOutside(command.elevation_rad, command.plane_rad),
+                  DistanceOutside(used.elevation_rad, used.plane_rad));
+}
+
+Origin ShoulderRhythm::OriginFor(const ArmCommand& command, const RhythmCell& cell) const noexcept {
+  if (options_.range == Range::kWhole &&
+      !measured_.Holds(command.elevation_rad, command.plane_rad)) {
     return Origin::kModelled;
   }
   // A corner without weight says nothing of the pose.
@@ -297,24 +305,36 @@ ArmCommand ShoulderRhythm::WithinRange(const ArmCommand& command) const noexcept
           FiniteOrZero(command.shrug_rad), FiniteOrZero(command.protraction_rad)};
 }
 
+// A turn about the humerus's own y comes last in X-Z'-Y'': it adds to GH's axial angle.
+void ShoulderRhythm::AddAxialTurn(ShoulderPose& pose, ArmCommand& used) const noexcept {
+  used.axial_rad =
+      Bounded(AnglesFromPose(pose)[kGhAxialIndex], used.axial_rad, ranges_[kGhAxialIndex]);
+  pose.q_SH = pose.q_SH * AboutY(used.axial_rad);
+}
+
 ShoulderPose ShoulderRhythm::PoseFor(ArmCommand& used) const noexcept {
+  ShoulderPose pose = RhythmPoseFor(used.elevation_rad, used.plane_rad);
+  AddExtras(pose, used);
+  return pose;
+}
+
+ShoulderPose ShoulderRhythm::RhythmPoseFor(double elevation_rad, double plane_rad) const noexcept {
   ShoulderPose pose;  // NOLINT(*-member-init): every member is set below
   const bool exact = options_.closure == Closure::kExact;
   double turn_rad = 0;
   const SmoothRhythm* const smooth = this->smooth();
   if (smooth != nullptr && exact) {
-    const GirdleOf<double> girdle = smooth->Girdle<double>(used.elevation_rad, used.plane_rad);
+    const GirdleOf<double> girdle = smooth->Girdle<double>(elevation_rad, plane_rad);
     pose.q_TC = Plain(Element(girdle.q_TC_CS, 0));
     pose.q_CS = Plain(Element(girdle.q_TC_CS, 1));
     turn_rad = girdle.turn_rad;
   } else if (smooth != nullptr) {
-    const JointsOf<double> joints = smooth->Joints<double>(used.elevation_rad, used.plane_rad);
+    const JointsOf<double> joints = smooth->Joints<double>(elevation_rad, plane_rad);
     pose = {Plain(Element(joints.q_TC_CS, 0)), Plain(Element(joints.q_TC_CS, 1)),
             Plain(joints.q_SH)};
   } else {
     const SquadRhythm& squad = **std::get_if<std::shared_ptr<const SquadRhythm>>(&interpolant_);
-    const JointRotations rotations =
-        squad.RotationsIn(table_.CellAt(used.elevation_rad, used.plane_rad));
+    const JointRotations rotations = squad.RotationsIn(table_.CellAt(elevation_rad, plane_rad));
     pose = {rotations[0], rotations[1], rotations[2]};
     if (exact) {
       const Quaternion q_TH = pose.q_TH();
@@ -322,26 +342,14 @@ ShoulderPose ShoulderRhythm::PoseFor(ArmCommand& used) const noexcept {
     }
   }
   if (exact) {
-    pose.q_SH = Closed(pose, Plain(HumerusRotation(used.elevation_rad, used.plane_rad, turn_rad)));
-  }
-  if (used.shrug_rad != 0 || used.protraction_rad != 0) [[unlikely]] {
-    AddOffsets(pose, used);
-  }
-  // A turn about the humerus's own y comes last in X-Z'-Y'': it adds to GH's axial angle.
-  if (used.axial_rad != 0) [[unlikely]] {
-    used.axial_rad =
-        Bounded(AnglesFromPose(pose)[kGhAxialIndex], used.axial_rad, ranges_[kGhAxialIndex]);
-    pose.q_SH = pose.q_SH * AboutY(used.axial_rad);
+    pose.q_SH = Closed(pose, Plain(HumerusRotation(elevation_rad, plane_rad, turn_rad)));
   }
   return pose;
 }
 
 ShoulderPose ShoulderRhythm::SolvePose(const ArmCommand& command,
                                        ArmCommand* used_out) const noexcept {
-  const bool plain = measured_.Holds(command.elevation_rad, command.plane_rad) &&
-                     command.axial_rad == 0 && command.shrug_rad == 0 &&
-                     command.protraction_rad == 0;
-  ArmCommand used = plain ? command : WithinRange(command);
+  ArmCommand used = IsPlain(command) ? command : WithinRange(command);
   const ShoulderPose pose = PoseFor(used);
   if (used_out != nullptr) {
     *used_out = used;
@@ -355,11 +363,8 @@ ShoulderSolution ShoulderRhythm::Solve(const ArmCommand& command) const noexcept
   solution.pose = PoseFor(solution.used);
   solution.clamped = !(solution.used == command);
   solution.cell = table_.CellAt(solution.used.elevation_rad, solution.used.plane_rad);
-  const bool outside = !measured_.Holds(command.elevation_rad, command.plane_rad);
-  solution.distance_rad =
-      std::max(DistanceOutside(command.elevation_rad, command.plane_rad),
-               DistanceOutside(solution.used.elevation_rad, solution.used.plane_rad));
-  solution.origin = OriginOf(solution.cell, outside && options_.range == Range::kWhole);
+  solution.distance_rad = DistanceFor(command, solution.used);
+  solution.origin = OriginFor(command, solution.cell);
   return solution;
 }
 

@@ -192,6 +192,8 @@ class ShoulderRhythm {
   [[nodiscard]] static JointRanges Unbounded() noexcept;
 
  private:
+  friend class ManySolver;  // of solve_many.cc: the steps of Solve, each for a block of commands
+
   /// The command used, and how its elevation and plane change with those given.
   struct Used {
     double elevation_rad;
@@ -213,14 +215,33 @@ class ShoulderRhythm {
   [[nodiscard]] Used UsedFor(double elevation_rad, double plane_rad) const noexcept;
   /// The rates within the table, without offsets or axial turn.
   [[nodiscard]] ShoulderRates PlainRates(double elevation_rad, double plane_rad) const noexcept;
+  /// Whether WithinRange would change nothing, for most commands within the table.
+  [[nodiscard]] bool IsPlain(const ArmCommand& command) const noexcept {
+    return measured_.Holds(command.elevation_rad, command.plane_rad) && command.axial_rad == 0 &&
+           command.shrug_rad == 0 && command.protraction_rad == 0;
+  }
+  [[nodiscard]] ArmCommand WithinRange(const ArmCommand& command) const noexcept;
   /// The pose for a command within the range; bounds its axial turn and offsets.
   [[nodiscard]] ShoulderPose PoseFor(ArmCommand& used) const noexcept;
-  [[nodiscard]] ArmCommand WithinRange(const ArmCommand& command) const noexcept;
-  [[nodiscard]] Origin OriginOf(const RhythmCell& cell, bool outside) const noexcept;
+  /// The pose without axial turn and offsets.
+  [[nodiscard]] ShoulderPose RhythmPoseFor(double elevation_rad, double plane_rad) const noexcept;
+  void AddExtras(ShoulderPose& pose, ArmCommand& used) const noexcept {
+    if (used.shrug_rad != 0 || used.protraction_rad != 0) [[unlikely]] {
+      AddOffsets(pose, used);
+    }
+    if (used.axial_rad != 0) [[unlikely]] {
+      AddAxialTurn(pose, used);
+    }
+  }
+  /// ShoulderSolution::origin and distance_rad.
+  [[nodiscard]] Origin OriginFor(const ArmCommand& command, const RhythmCell& cell) const noexcept;
+  [[nodiscard]] double DistanceFor(const ArmCommand& command,
+                                   const ArmCommand& used) const noexcept;
   /// GH that brings the humerus where it has to be: q_SH = (q_TC q_CS)^-1 q_TH.
   [[nodiscard]] static Quaternion Closed(const ShoulderPose& pose, const Quaternion& q_TH) noexcept;
   /// Turns the clavicle as far as the ranges of SC and GH allow; `used` then says how far.
   void AddOffsets(ShoulderPose& pose, ArmCommand& used) const noexcept;
+  void AddAxialTurn(ShoulderPose& pose, ArmCommand& used) const noexcept;
   [[nodiscard]] bool KeepsGhWithin(const ShoulderPose& pose,
                                    const ShoulderPose& rhythm) const noexcept;
   template <int Order>

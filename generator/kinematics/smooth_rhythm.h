@@ -24,7 +24,9 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 
+#include "kinematics/four.h"
 #include "kinematics/rhythm_table.h"
 #include "kinematics/rotation_algebra.h"
 #include "kinematics/surface_spline.h"
@@ -88,6 +90,22 @@ class SmoothRhythm {
   [[nodiscard]] GirdleRates RatesOfGirdle(double elevation_rad, double plane_rad) const noexcept;
   [[nodiscard]] JointRates RatesOfJoints(double elevation_rad, double plane_rad) const noexcept;
 
+  /// Girdle<double> of four commands of one region, with the bits that each has alone: the first
+  /// function for the region 0, the second for every other. Their definitions are in
+  /// smooth_rhythm_rule.h, for a caller who compiles them for his processor.
+  [[nodiscard]] GirdleOf<Four> GirdlesInTable(const Four& elevations_rad,
+                                              const Four& planes_rad) const noexcept;
+  [[nodiscard]] GirdleOf<Four> GirdlesBeyondTable(const Four& elevations_rad,
+                                                  const Four& planes_rad) const noexcept;
+  /// q_SH of Joints, likewise.
+  [[nodiscard]] QuaternionOf<Four> HumeriInScapulae(const Four& elevations_rad,
+                                                    const Four& planes_rad) const noexcept;
+
+  static constexpr std::size_t kRegions = 18;
+  /// Returns in which region a command lies, below kRegions: all of a region take the same way
+  /// through the rule. 0 is the table.
+  [[nodiscard]] std::size_t RegionOf(double elevation_rad, double plane_rad) const noexcept;
+
  private:
   struct Edges {
     double lowest_rad;
@@ -103,14 +121,84 @@ class SmoothRhythm {
   [[nodiscard]] static Mean MeanOf(const RhythmTable& table);
 
   [[nodiscard]] MovingRotation<Pair> MovingGirdle(const SurfaceGrid::Place& place) const noexcept;
+
+  /// u of SC and AC, and tau, or derivatives of them.
   template <typename T>
-  [[nodiscard]] GirdleOf<T> InTable(const T& elevation_rad, const T& plane_rad) const noexcept;
+  struct Surfaces {
+    VectorOf<PairOf<T>> u;
+    T turn_rad;
+  };
+  /// The derivative of order (I, J). One coordinate is of type T and the other a number; for T =
+  /// Four both may be of type T.
+  template <typename T, std::size_t I, std::size_t J, typename E, typename P>
+  [[nodiscard]] Surfaces<T> SurfacesAt(const E& elevation_rad, const P& plane_rad) const noexcept;
+  template <std::size_t I, std::size_t J, typename E, typename P>
+  [[nodiscard]] Surfaces<Four> SurfacesOfFour(const E& elevation_rad,
+                                              const P& plane_rad) const noexcept;
+
+  /// The table at its first or last plane: SC and AC, how they turn with the plane (parent's axes),
+  /// and tau.
   template <typename T>
-  [[nodiscard]] GirdleOf<T> AcrossPlanes(const T& elevation_rad, const T& plane_rad) const noexcept;
+  struct Edge {
+    QuaternionOf<PairOf<T>> q;
+    VectorOf<PairOf<T>> w;
+    T turn_rad;
+    T turn_by_plane;
+  };
+  template <typename T, typename E>
+  [[nodiscard]] Edge<T> EdgeAt(const E& elevation_rad, bool is_above) const noexcept;
+
+  /// sin(theta) and sin(min(theta, 90 deg)).
+  template <typename T>
+  struct ElevationSine {
+    T sine;
+    T sine_to_level;
+  };
+  template <typename T>
+  [[nodiscard]] static ElevationSine<T> SineOf(const T& elevation_rad) noexcept;
+
+  /// A corner of the table, with its derivatives by elevation, and a place on the edge further in.
+  struct Corner {
+    Edge<Dual<double>> edge;
+    Edge<Dual<double>> inner_edge;
+  };
+  /// The first or the last elevation of the table.
+  struct EndRow {
+    double elevation_rad;
+    std::optional<double> inner_elevation_rad;
+    ElevationSine<Dual<double>> sine;
+    ElevationSine<double> inner_sine;
+    Corner first_plane;
+    Corner last_plane;
+  };
+  [[nodiscard]] EndRow EndRowAt(double elevation_rad,
+                                std::optional<double> inner_elevation_rad) const noexcept;
+  /// What the rule needs of such a row at a plane, slopes by elevation if asked for.
+  template <typename T>
+  struct Row {
+    QuaternionOf<PairOf<T>> q;
+    VectorOf<PairOf<T>> w;
+    T turn_rad;
+    T turn_by_elevation;
+    QuaternionOf<PairOf<T>> inner_q;
+  };
+  template <typename T>
+  [[nodiscard]] Row<T> RowAt(const T& plane_rad, const EndRow& end,
+                             bool with_slopes) const noexcept;
+
+  template <typename T>
+  struct Beyond;
+  template <typename T>
+  [[nodiscard]] Beyond<T> BeyondAt(const T& plane_rad) const noexcept;
+  template <typename S, typename T>
+  [[nodiscard]] GirdleOf<S> Across(const Edge<S>& edge, const Beyond<T>& beyond,
+                                   const ElevationSine<S>& elevation) const noexcept;
   template <typename T>
   [[nodiscard]] GirdleOf<T> AboveTable(const T& elevation_rad, const T& plane_rad) const noexcept;
   template <typename T>
   [[nodiscard]] GirdleOf<T> BelowTable(const T& elevation_rad, const T& plane_rad) const noexcept;
+  template <typename T>
+  [[nodiscard]] GirdleOf<T> BeyondTable(const T& elevation_rad, const T& plane_rad) const noexcept;
 
   Edges edges_;
   SurfaceGrid grid_;
@@ -118,9 +206,16 @@ class SmoothRhythm {
   SurfaceSpline<Pair, 3> girdle_;        ///< u of SC and AC
   SurfaceSpline<double, 1> turn_;        ///< tau
   SurfaceSpline<Pair, 2> glenohumeral_;  ///< u of GH: (x, y), (z, 0)
-  QuaternionOf<Pair> hanging_;           ///< where the rule goes at elevation 0
-  QuaternionOf<Pair> upright_;           ///< at elevation 180
-  double hanging_turn_rad_ = 0;          ///< tau at elevation 0
+  /// girdle_ and turn_ side by side: (SC x, AC x, SC y, AC y), (SC z, AC z, tau, 0).
+  SurfaceSpline<Four, 2> four_;
+  SurfaceSpline<Four, 1> glenohumeral_four_;  ///< (x, y, z, 0)
+  QuaternionOf<FourPairs> mean_fours_;        ///< mean_ of SC and AC
+  QuaternionOf<Pair> hanging_;                ///< where the rule goes at elevation 0
+  QuaternionOf<Pair> upright_;                ///< at elevation 180
+  double hanging_turn_rad_ = 0;               ///< tau at elevation 0
+  double span_rad_;                           ///< below the top, over which the mean rate is taken
+  EndRow bottom_;
+  EndRow top_;
 };
 
 }  // namespace girdle

@@ -143,25 +143,18 @@ class SurfaceSpline {
                : JetSum<Order, SplineAxis::kPowers>(place);
   }
 
-  /// Derivative of order i by elevation and j by plane.
-  [[nodiscard]] Values Partial(const SurfaceGrid::Place& place, std::size_t i,
-                               std::size_t j) const noexcept {
-    Values sum{};
-    sum.fill(L(0.0));
-    const Row* cell = CellAt(place);
-    double t_power = 1;
-    for (std::size_t l = j; l < plane_powers_; ++l) {
-      double s_power = 1;
-      for (std::size_t k = i; k < SplineAxis::kPowers; ++k) {
-        const double factor = Falling(k, i) * s_power * Falling(l, j) * t_power;
-        for (std::size_t c = 0; c < K; ++c) {
-          sum[c] = sum[c] + factor * cell[l][k][c];
-        }
-        s_power *= place.s;
-      }
-      t_power *= place.t;
+  /// Derivative of order I by elevation and J by plane.
+  template <std::size_t I, std::size_t J>
+  [[nodiscard]] GIRDLE_INLINE Values Partial(const SurfaceGrid::Place& place) const noexcept {
+    if constexpr (I >= SplineAxis::kPowers || J >= SplineAxis::kPowers) {
+      Values zero;
+      zero.fill(L(0.0));
+      return zero;
+    } else {
+      return plane_powers_ == SplineAxis::kParabolaPowers
+                 ? PartialSum<I, J, SplineAxis::kParabolaPowers>(place)
+                 : PartialSum<I, J, SplineAxis::kPowers>(place);
     }
-    return sum;
   }
 
  private:
@@ -237,8 +230,26 @@ class SurfaceSpline {
     return jets;
   }
 
+  /// Sum over powers k of s and l of t, by Horner's rule in both.
+  template <std::size_t I, std::size_t J, std::size_t PlanePowers>
+  [[nodiscard]] GIRDLE_INLINE Values PartialSum(const SurfaceGrid::Place& place) const noexcept {
+    const Row* cell = CellAt(place);
+    Values sum;
+    sum.fill(L(0.0));
+    for (std::size_t l = PlanePowers; l-- > J;) {
+      for (std::size_t c = 0; c < K; ++c) {
+        L value = Falling(SplineAxis::kPowers - 1, I) * cell[l][SplineAxis::kPowers - 1][c];
+        for (std::size_t k = SplineAxis::kPowers - 1; k-- > I;) {
+          value = Falling(k, I) * cell[l][k][c] + place.s * value;
+        }
+        sum[c] = Falling(l, J) * value + place.t * sum[c];
+      }
+    }
+    return sum;
+  }
+
   /// n (n - 1) ... (n - count + 1).
-  [[nodiscard]] static double Falling(std::size_t n, std::size_t count) noexcept {
+  [[nodiscard]] static constexpr double Falling(std::size_t n, std::size_t count) noexcept {
     double product = 1;
     for (std::size_t i = 0; i < count; ++i) {
       product *= static_cast<double>(n - i);
@@ -250,72 +261,47 @@ class SurfaceSpline {
   std::vector<Row> rows_;  ///< cell by cell, each with its powers of plane
 };
 
-/// The derivative of order (i, j) of the surfaces at a point whose coordinates may carry
-/// derivatives themselves.
-template <typename L, std::size_t K>
+/// The derivative of order (I, J) of the surfaces at a point, one of whose coordinates may carry
+/// derivatives itself.
+template <std::size_t I, std::size_t J, typename L, std::size_t K>
 [[nodiscard]] std::array<L, K> Evaluate(const SurfaceSpline<L, K>& surface, const SurfaceGrid& grid,
-                                        double elevation_rad, double plane_rad, std::size_t i = 0,
-                                        std::size_t j = 0) noexcept {
-  const SurfaceGrid::Place place = grid.PlaceOf(elevation_rad, plane_rad);
-  return i == 0 && j == 0 ? surface.At(place) : surface.Partial(place, i, j);
+                                        double elevation_rad, double plane_rad) noexcept {
+  return surface.template Partial<I, J>(grid.PlaceOf(elevation_rad, plane_rad));
 }
+/// From f and its first and second derivative by a coordinate x.
 template <typename L, std::size_t K, int Order>
+[[nodiscard]] std::array<Jet<L, Order>, K> ComposedValues(const Jet<double, Order>& x,
+                                                          const std::array<L, K>& f,
+                                                          const std::array<L, K>& slope,
+                                                          const std::array<L, K>& curvature) {
+  Jet<L, Order> leaves;
+  for (std::size_t part = 0; part < leaves.part.size(); ++part) {
+    leaves.part[part] = L(x.part[part]);
+  }
+  std::array<Jet<L, Order>, K> result;
+  for (std::size_t c = 0; c < K; ++c) {
+    result[c] = Composed(leaves, f[c], slope[c], curvature[c]);
+  }
+  return result;
+}
+template <std::size_t I, std::size_t J, typename L, std::size_t K, int Order>
 [[nodiscard]] std::array<Jet<L, Order>, K> Evaluate(const SurfaceSpline<L, K>& surface,
                                                     const SurfaceGrid& grid,
                                                     const Jet<double, Order>& elevation_rad,
-                                                    const Jet<double, Order>& plane_rad,
-                                                    std::size_t i = 0, std::size_t j = 0) noexcept {
-  const SurfaceGrid::Place place = grid.PlaceOf(elevation_rad.part[kValue], plane_rad.part[kValue]);
-  const auto f = surface.Partial(place, i, j);
-  const auto f_e = surface.Partial(place, i + 1, j);
-  const auto f_p = surface.Partial(place, i, j + 1);
-  std::array<Jet<L, Order>, K> result;
-  for (std::size_t c = 0; c < K; ++c) {
-    result[c].part[kValue] = f[c];
-    for (std::size_t part = kByElevation; part < result[c].part.size(); ++part) {
-      result[c].part[part] = elevation_rad.part[part] * f_e[c] + plane_rad.part[part] * f_p[c];
-    }
-  }
-  if constexpr (Order == 2) {
-    const auto f_ee = surface.Partial(place, i + 2, j);
-    const auto f_ep = surface.Partial(place, i + 1, j + 1);
-    const auto f_pp = surface.Partial(place, i, j + 2);
-    const auto add = [&](JetPart both, JetPart a, JetPart b) {
-      const double ee = elevation_rad.part[a] * elevation_rad.part[b];
-      const double ep =
-          elevation_rad.part[a] * plane_rad.part[b] + elevation_rad.part[b] * plane_rad.part[a];
-      const double pp = plane_rad.part[a] * plane_rad.part[b];
-      for (std::size_t c = 0; c < K; ++c) {
-        result[c].part[both] = result[c].part[both] + ee * f_ee[c] + ep * f_ep[c] + pp * f_pp[c];
-      }
-    };
-    add(kByElevationTwice, kByElevation, kByElevation);
-    add(kByElevationAndPlane, kByElevation, kByPlane);
-    add(kByPlaneTwice, kByPlane, kByPlane);
-  }
-  return result;
+                                                    double plane_rad) noexcept {
+  const SurfaceGrid::Place place = grid.PlaceOf(elevation_rad.part[kValue], plane_rad);
+  return ComposedValues(elevation_rad, surface.template Partial<I, J>(place),
+                        surface.template Partial<I + 1, J>(place),
+                        surface.template Partial<I + 2, J>(place));
 }
-template <typename L, std::size_t K, typename T>
-[[nodiscard]] auto Evaluate(const SurfaceSpline<L, K>& surface, const SurfaceGrid& grid,
-                            const Dual<T>& elevation_rad, const Dual<T>& plane_rad,
-                            std::size_t i = 0, std::size_t j = 0) noexcept {
-  const auto value = Evaluate(surface, grid, elevation_rad.value, plane_rad.value, i, j);
-  const auto by_elevation = Evaluate(surface, grid, elevation_rad.value, plane_rad.value, i + 1, j);
-  const auto by_plane = Evaluate(surface, grid, elevation_rad.value, plane_rad.value, i, j + 1);
-  using Scalar = typename std::decay_t<decltype(value)>::value_type;
-  const auto factor = [](const T& slope) {
-    if constexpr (std::is_same_v<L, Pair>) {
-      return Both(slope);
-    } else {
-      return slope;
-    }
-  };
-  std::array<Dual<Scalar>, K> result;
-  for (std::size_t c = 0; c < K; ++c) {
-    result[c] = {value[c], factor(elevation_rad.slope) * by_elevation[c] +
-                               factor(plane_rad.slope) * by_plane[c]};
-  }
-  return result;
+template <std::size_t I, std::size_t J, typename L, std::size_t K, int Order>
+[[nodiscard]] std::array<Jet<L, Order>, K> Evaluate(const SurfaceSpline<L, K>& surface,
+                                                    const SurfaceGrid& grid, double elevation_rad,
+                                                    const Jet<double, Order>& plane_rad) noexcept {
+  const SurfaceGrid::Place place = grid.PlaceOf(elevation_rad, plane_rad.part[kValue]);
+  return ComposedValues(plane_rad, surface.template Partial<I, J>(place),
+                        surface.template Partial<I, J + 1>(place),
+                        surface.template Partial<I, J + 2>(place));
 }
 
 }  // namespace girdle

@@ -20,12 +20,14 @@
 #include <map>
 #include <memory>
 #include <random>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "anatomy/built_in_anatomy.h"
+#include "kinematics/solve_many.h"
 #include "mjcf/shoulder_model.h"
 #include "pictures/frame_renderer.h"
 #include "rhythm_tables/built_in_tables.h"
@@ -68,18 +70,36 @@ double Median(std::vector<double> values) {
   return *middle;
 }
 
+// A rectangle of positions.
+struct Region {
+  std::array<double, 2> elevations_deg;
+  std::array<double, 2> planes_deg;
+};
+constexpr Region kTable{{15, 120}, {0, 90}};
+// Beyond each edge of it and each corner, where an arm still goes.
+constexpr std::array<Region, 4> kBesideTable = {
+    {{{15, 120}, {90, 135}}, {{15, 60}, {-60, 0}}, {{120, 180}, {0, 90}}, {{0, 15}, {0, 90}}}};
+constexpr std::array<Region, 4> kCorners = {
+    {{{120, 180}, {90, 135}}, {{120, 180}, {-30, 0}}, {{0, 15}, {90, 135}}, {{0, 15}, {-60, 0}}}};
+
+// Random positions, as many of each region.
+std::vector<ArmCommand> CommandsIn(std::span<const Region> regions) {
+  std::mt19937_64 random(kSeed);
+  std::vector<ArmCommand> commands(kPoses);
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    const Region& region = regions[i % regions.size()];
+    std::uniform_real_distribution<double> elevation_deg(region.elevations_deg[0],
+                                                         region.elevations_deg[1]);
+    std::uniform_real_distribution<double> plane_deg(region.planes_deg[0], region.planes_deg[1]);
+    const double theta_deg = elevation_deg(random);
+    commands[i] = {RadiansFromDegrees(theta_deg), RadiansFromDegrees(plane_deg(random))};
+  }
+  return commands;
+}
+
 // Positions of the arm all over the table.
 const std::vector<ArmCommand>& RandomCommands() {
-  static const std::vector<ArmCommand> kCommands = [] {
-    std::mt19937_64 random(kSeed);
-    std::uniform_real_distribution<double> elevation_deg(15, 120);
-    std::uniform_real_distribution<double> plane_deg(0, 90);
-    std::vector<ArmCommand> commands(kPoses);
-    for (ArmCommand& command : commands) {
-      command = {RadiansFromDegrees(elevation_deg(random)), RadiansFromDegrees(plane_deg(random))};
-    }
-    return commands;
-  }();
+  static const std::vector<ArmCommand> kCommands = CommandsIn(std::span(&kTable, 1));
   return kCommands;
 }
 
@@ -163,6 +183,68 @@ void RegisterPoses() {
       });
 }
 
+// What SolveMany is held against, everything in the same run.
+struct ManyPoses {
+  std::string place;
+  std::vector<ArmCommand> commands;
+};
+std::vector<ManyPoses> ManyPlaces() {
+  return {{"inside", RandomCommands()},
+          {"outside", CommandsIn(kBesideTable)},
+          {"corners", CommandsIn(kCorners)}};
+}
+std::string OneByOne(const std::string& place) { return place + ", one by one"; }
+std::string OneByOneAngles(const std::string& place) { return place + ", angles, one by one"; }
+std::string Many(const std::string& place, int threads) {
+  return place + ", SolveMany, " + (threads == 1 ? "one thread" : "two threads");
+}
+std::string ManyAngles(const std::string& place) { return place + ", angles, SolveMany"; }
+std::string RatesOneByOne(const std::string& place) {
+  return place + ", first derivatives, one by one";
+}
+
+void RegisterMany() {
+  const auto rhythm = std::make_shared<const ShoulderRhythm>(BuiltInRhythm());
+  // Times are of all commands; real ones, so that two threads count as they take.
+  const auto add = [](const std::string& name, const auto& work) {
+    benchmark::RegisterBenchmark(name.c_str(), [work](benchmark::State& state) {
+      for ([[maybe_unused]] auto iteration : state) {
+        work();
+        benchmark::ClobberMemory();
+      }
+    })->UseRealTime();
+  };
+  for (const ManyPoses& many : ManyPlaces()) {
+    const auto commands = std::make_shared<const std::vector<ArmCommand>>(many.commands);
+    const auto poses = std::make_shared<std::vector<ShoulderPose>>(kPoses);
+    const auto angles_rad = std::make_shared<std::vector<JointAngles>>(kPoses);
+    const auto rates = std::make_shared<std::vector<ShoulderRates>>(kPoses);
+    add(OneByOne(many.place), [=] {
+      for (std::size_t i = 0; i < kPoses; ++i) {
+        (*poses)[i] = rhythm->SolvePose((*commands)[i]);
+      }
+    });
+    for (const int threads : {1, 2}) {
+      add(Many(many.place, threads), [=] {
+        SolveMany(*rhythm, *commands, {.poses = *poses},
+                  {.threads = static_cast<std::size_t>(threads)});
+      });
+    }
+    add(OneByOneAngles(many.place), [=] {
+      for (std::size_t i = 0; i < kPoses; ++i) {
+        (*angles_rad)[i] = AnglesFromPose(rhythm->SolvePose((*commands)[i]));
+      }
+    });
+    add(ManyAngles(many.place),
+        [=] { SolveMany(*rhythm, *commands, {.angles_rad = *angles_rad}); });
+    add(RatesOneByOne(many.place), [=] {
+      for (std::size_t i = 0; i < kPoses; ++i) {
+        (*rates)[i] = *rhythm->SolveRates((*commands)[i]);
+      }
+    });
+  }
+}
+
 constexpr int kStepsPerRun = 2000;
 
 // Every step asks for another pose, so that nothing can be reused.
@@ -242,7 +324,9 @@ class RoundReporter : public benchmark::BenchmarkReporter {
   bool ReportContext(const Context& /*context*/) override { return true; }
   void ReportRuns(const std::vector<Run>& runs) override {
     for (const Run& run : runs) {
-      times_ns_[run.run_name.function_name].push_back(run.GetAdjustedCPUTime());
+      const bool real = !run.run_name.time_type.empty();
+      times_ns_[run.run_name.function_name].push_back(real ? run.GetAdjustedRealTime()
+                                                           : run.GetAdjustedCPUTime());
     }
   }
 
@@ -275,6 +359,26 @@ void PrintPoses(const RoundReporter& times) {
         "smooth and exact, all derivatives of the angles", "mj_kinematics of the model"}) {
     if (times.Has(name)) {
       std::printf("%-50s %9.1f %20.2f x\n", name, times.Time_ns(name), times.Ratio(name, kFloor));
+    }
+  }
+}
+
+void PrintMany(const RoundReporter& times) {
+  std::printf("\n%-50s %9s %22s %12s\n", "smooth and exact, 4096 random poses, each pose", "ns",
+              kFloor, "one by one");
+  for (const ManyPoses& many : ManyPlaces()) {
+    const std::string& place = many.place;
+    for (const auto& [name, one_by_one] :
+         {std::pair{OneByOne(place), OneByOne(place)}, std::pair{Many(place, 1), OneByOne(place)},
+          std::pair{Many(place, 2), OneByOne(place)},
+          std::pair{OneByOneAngles(place), OneByOneAngles(place)},
+          std::pair{ManyAngles(place), OneByOneAngles(place)},
+          std::pair{RatesOneByOne(place), RatesOneByOne(place)}}) {
+      if (times.Has(kFloor) && times.Has(name) && times.Has(one_by_one)) {
+        constexpr auto kCount = static_cast<double>(kPoses);
+        std::printf("%-50s %9.1f %20.2f x %10.2f x\n", name.c_str(), times.Time_ns(name) / kCount,
+                    times.Ratio(name, kFloor) / kCount, times.Ratio(name, one_by_one));
+      }
     }
   }
 }
@@ -445,6 +549,7 @@ int Run(int argc, char** argv) {
   const EngineWatch watch;
   LoadPlugin(plugin);
   RegisterPoses();
+  RegisterMany();
   RegisterEngine();
   RoundReporter times;
   for (int round = 0; round < kRounds; ++round) {
@@ -452,6 +557,7 @@ int Run(int argc, char** argv) {
   }
   EngineWatch::ExpectNoWarning("stepping");
   PrintPoses(times);
+  PrintMany(times);
   PrintSteps(times);
   PrintAssemblies(times);
   PrintRows(girdle);

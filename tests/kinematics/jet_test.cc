@@ -23,23 +23,32 @@ constexpr double kDifferenceTolerance = 1e-6;
 
 constexpr std::array<double, 5> kCoefficients = {0.3, -0.7, 0.2, 0.9, -0.4};
 
+template <typename T>
+T Sine(const T& x) {
+  return SineAndCosineOf(x).sine;
+}
+template <typename T>
+T Cosine(const T& x) {
+  return SineAndCosineOf(x).cosine;
+}
+
 // Every operation that duals have too.
 template <typename T>
 T Formula(const T& e, const T& p) {
   const T product = e * p - 0.3 * e + T(0.5);
-  const T waves = Sin(product) * Cos(e - 2.0 * p) + Sin(p) * p;
-  return waves * Exponential(0.2 * product) - Polynomial(kCoefficients, e + 0.5 * p) * (-p);
+  const T waves = Sine(product) * Cosine(T(e - 2.0 * p)) + Sine(p) * p;
+  return waves - Polynomial(kCoefficients, e + 0.5 * p) * (-p);
 }
 
 // And those of jets alone.
 template <typename T>
 T JetFormula(const T& e, const T& p) {
   const T length = Sqrt(e * e + p * p + T(1.0));
-  return Atan2(Formula(e, p), length) * length;
+  return Atan2(Formula(e, p), length) * Decay(T(0.2 * (e * p))) * length;
 }
 double JetFormula(double e, double p) {
   const double length = std::sqrt(e * e + p * p + 1);
-  return std::atan2(Formula(e, p), length) * length;
+  return std::atan2(Formula(e, p), length) * std::exp(-0.2 * e * p) * length;
 }
 
 template <int Order>
@@ -113,7 +122,7 @@ RC_GTEST_PROP(Jet, OfFirstOrderIsTheBeginningOfSecond, ()) {
 
 RC_GTEST_PROP(Jet, OfPairsHoldsTheJetsOfBoth, ()) {
   const auto formula = [](const auto& e, const auto& p) {
-    return Sin(e * p) * Cos(p) - Polynomial(kCoefficients, e);
+    return Sine(e * p) * Cosine(p) - Polynomial(kCoefficients, e);
   };
   const Point<2> a(*NumberWithin(-1, 1), *NumberWithin(-1, 1));
   const Point<2> b(*NumberWithin(-1, 1), *NumberWithin(-1, 1));

@@ -59,8 +59,6 @@ RC_GTEST_PROP(Pair, GivesEachElementTheBitsItWouldHaveAlone, ()) {
   RC_ASSERT(Holds(a / b, x[0] / x[2], x[1] / x[3]));
   RC_ASSERT(Holds(-a, -x[0], -x[1]));
   RC_ASSERT(Holds(2 * a, 2 * x[0], 2 * x[1]));
-  RC_ASSERT(Holds(Sin(a), Sin(x[0]), Sin(x[1])));
-  RC_ASSERT(Holds(Cos(a), Cos(x[0]), Cos(x[1])));
   const Pair square = a * a;
   RC_ASSERT(Holds(Sqrt(square), Sqrt(square[0]), Sqrt(square[1])));
 }
@@ -100,6 +98,44 @@ RC_GTEST_PROP(PolynomialValue, IsHornersToRounding, ()) {
   check(std::array<double, 11>{});
   check(std::array<double, 13>{});
   check(std::array<double, 24>{});
+}
+
+RC_GTEST_PROP(SineAndCosine, OfAPairAreTheLibrarys, ()) {
+  const std::array<double, 2> x = {*NumberWithin(-20, 20), *NumberWithin(-20, 20)};
+  const SineAndCosine<Pair> both = SineAndCosineOf(Pair(x[0], x[1]));
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const SineAndCosine<double> alone = SineAndCosineOf(x[i]);
+    RC_ASSERT(both.sine[i] == alone.sine && both.cosine[i] == alone.cosine);
+    RC_ASSERT(std::abs(alone.sine - std::sin(x[i])) < 4.5e-16);
+    RC_ASSERT(std::abs(alone.cosine - std::cos(x[i])) < 4.5e-16);
+  }
+}
+
+// Where one quadrant gives way to the next, and at the multiples of a quarter turn themselves.
+TEST(SineAndCosine, AreTheLibrarysAtTheEndsOfQuadrants) {
+  for (int eighths = -16; eighths <= 16; ++eighths) {
+    const double middle = eighths * kPi / 4;
+    for (const double x : {std::nextafter(middle, -10), middle, std::nextafter(middle, 10)}) {
+      const SineAndCosine<double> alone = SineAndCosineOf(x);
+      EXPECT_NEAR(alone.sine, std::sin(x), 4.5e-16) << x;
+      EXPECT_NEAR(alone.cosine, std::cos(x), 4.5e-16) << x;
+    }
+  }
+}
+
+RC_GTEST_PROP(Decay, IsTheLibrarysToTwoUnits, ()) {
+  constexpr std::int64_t kUnits = 2;
+  const double x = *NumberWithin(-699, 699);
+  const double small = *NumberWithin(-1, 1);
+  RC_ASSERT(UnitsApart(Decay(x), std::exp(-x)) <= kUnits);
+  RC_ASSERT(UnitsApart(Decay(small), std::exp(-small)) <= kUnits);
+}
+
+TEST(Decay, IsOneAtZeroAndNothingFarAway) {
+  EXPECT_EQ(Decay(0), 1);
+  EXPECT_GT(Decay(std::nextafter(700, 0)), 0);
+  EXPECT_EQ(Decay(700), 0);
+  EXPECT_EQ(Decay(std::numeric_limits<double>::infinity()), 0);
 }
 
 // As pair.h promises.

@@ -109,25 +109,37 @@ QuaternionOf<Dual<double>> Turning(const Vector3& u, const Vector3& v, const Qua
   return ExpOf(way) * Plain(q);
 }
 
-RC_GTEST_PROP(BodyVelocity, IsThatOfDifferencesInTheChild, ()) {
+RC_GTEST_PROP(ParentVelocity, IsThatOfDifferencesInTheParent, ()) {
   constexpr double kStep = 1e-5;
   const Vector3 u = *NumberWithin(0, 3) * *UnitVector();
   const Vector3 v = *VectorWithin(-1, 1);
   const Quaternion q = *UnitQuaternion();
   const auto at = [&](double e) { return Exp(u + e * v) * q; };
-  const Vector3 expected = Log(glm::conjugate(at(-kStep)) * at(kStep)) / (2 * kStep);
-  const Vector3 velocity = Plain(BodyVelocity(Turning(u, v, q)));
+  const Vector3 expected = Log(at(kStep) * glm::conjugate(at(-kStep))) / (2 * kStep);
+  const Vector3 velocity = Plain(ParentVelocity(Turning(u, v, q)));
   RC_ASSERT(glm::length(velocity - expected) < 1e-9);
 }
 
-RC_GTEST_PROP(BodyVelocity, DoesNotChangeWithTheParentsFrame, ()) {
+RC_GTEST_PROP(TurningExp, HasTheVelocityOfDifferences, ()) {
+  constexpr double kStep = 1e-5;
+  const Vector3 u = *NumberWithin(0, 3) * *UnitVector();
+  const Vector3 v = *VectorWithin(-1, 1);
+  const Quaternion m = *UnitQuaternion();
+  const auto at = [&](double e) { return Exp(u + e * v) * m; };
+  const Vector3 expected = Log(at(kStep) * glm::conjugate(at(-kStep))) / (2 * kStep);
+  const TurningRotation<double> turning = TurningExp(Plain(u), Plain(v), Plain(m));
+  RC_ASSERT(Difference(Plain(turning.q), at(0)) < kRounding);
+  RC_ASSERT(glm::length(Plain(turning.w) - expected) < 1e-9);
+}
+
+RC_GTEST_PROP(ParentVelocity, DoesNotChangeWithTheChildsFrame, ()) {
   const Vector3 u = *NumberWithin(0, 3) * *UnitVector();
   const Vector3 v = *VectorWithin(-1, 1);
   const Quaternion p = *UnitQuaternion();
   const QuaternionOf<Dual<double>> q = Turning(u, v, *UnitQuaternion());
   const QuaternionOf<Dual<double>> fixed = {Dual<double>(p.w), Dual<double>(p.x), Dual<double>(p.y),
                                             Dual<double>(p.z)};
-  RC_ASSERT(glm::length(Plain(BodyVelocity(fixed * q)) - Plain(BodyVelocity(q))) < kRounding);
+  RC_ASSERT(glm::length(Plain(ParentVelocity(q * fixed)) - Plain(ParentVelocity(q))) < kRounding);
 }
 
 // exp and log over jets against differences of first derivatives.

@@ -12,6 +12,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "kinematics/cubic_spline.h"
@@ -191,15 +192,29 @@ double DerivativeRounding(std::size_t i, std::size_t j) {
   return kRounding * std::pow(20.0, static_cast<double>(i + j));
 }
 
+// The surface's derivative of an order that is not known before.
+double Partial(const SurfaceSpline<double, 1>& surface, const SurfaceGrid::Place& place,
+               std::size_t i, std::size_t j) {
+  constexpr std::size_t kOrders = 4;
+  const auto one_of = [&]<std::size_t... Order>(std::index_sequence<Order...>) {
+    double partial = 0;
+    ((i * kOrders + j == Order
+          ? void(partial = surface.Partial<Order / kOrders, Order % kOrders>(place)[0])
+          : void()),
+     ...);
+    return partial;
+  };
+  return one_of(std::make_index_sequence<kOrders * kOrders>());
+}
+
 RC_GTEST_PROP(SurfaceSpline, HasTwoContinuousDerivativesOverEveryKnot, ()) {
   const Sample sample = AnySample();
   const double elevation = AnyPlace(sample.elevations);
   const double plane = AnyPlace(sample.planes);
   const auto check = [&](double e_before, double p_before, double e_after, double p_after) {
     for (const auto& [i, j] : kContinuousOrders) {
-      const double before =
-          sample.surface.Partial(sample.grid.PlaceOf(e_before, p_before), i, j)[0];
-      const double after = sample.surface.Partial(sample.grid.PlaceOf(e_after, p_after), i, j)[0];
+      const double before = Partial(sample.surface, sample.grid.PlaceOf(e_before, p_before), i, j);
+      const double after = Partial(sample.surface, sample.grid.PlaceOf(e_after, p_after), i, j);
       RC_ASSERT(std::abs(after - before) < DerivativeRounding(i, j));
     }
   };
@@ -225,8 +240,8 @@ RC_GTEST_PROP(SurfaceSpline, HasTheSlopesOfItsValues, ()) {
       (sample.At(elevation + kStep, plane) - sample.At(elevation - kStep, plane)) / (2 * kStep);
   const double by_plane =
       (sample.At(elevation, plane + kStep) - sample.At(elevation, plane - kStep)) / (2 * kStep);
-  RC_ASSERT(std::abs(sample.surface.Partial(place, 1, 0)[0] - by_elevation) < kTolerance);
-  RC_ASSERT(std::abs(sample.surface.Partial(place, 0, 1)[0] - by_plane) < kTolerance);
+  RC_ASSERT(std::abs(Partial(sample.surface, place, 1, 0) - by_elevation) < kTolerance);
+  RC_ASSERT(std::abs(Partial(sample.surface, place, 0, 1) - by_plane) < kTolerance);
 }
 
 RC_GTEST_PROP(SurfaceSpline, HasPartialsThatFollowFromLowerOnes, ()) {
@@ -241,20 +256,20 @@ RC_GTEST_PROP(SurfaceSpline, HasPartialsThatFollowFromLowerOnes, ()) {
   };
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
-      const double by_elevation = (sample.surface.Partial(shifted(kStep, 0), i, j)[0] -
-                                   sample.surface.Partial(shifted(-kStep, 0), i, j)[0]) /
+      const double by_elevation = (Partial(sample.surface, shifted(kStep, 0), i, j) -
+                                   Partial(sample.surface, shifted(-kStep, 0), i, j)) /
                                   (2 * kStep);
-      const double by_plane = (sample.surface.Partial(shifted(0, kStep), i, j)[0] -
-                               sample.surface.Partial(shifted(0, -kStep), i, j)[0]) /
+      const double by_plane = (Partial(sample.surface, shifted(0, kStep), i, j) -
+                               Partial(sample.surface, shifted(0, -kStep), i, j)) /
                               (2 * kStep);
       // The lower one is rounded to 1e-16 of its size, over a step of 1e-6.
       const auto near = [&](double derivative, double difference) {
-        const double lower = std::abs(sample.surface.Partial(at, i, j)[0]);
+        const double lower = std::abs(Partial(sample.surface, at, i, j));
         const double size = std::pow(20.0, static_cast<double>(i + j));  // of what sums to it
         return std::abs(derivative - difference) < 1e-7 * (size + lower + std::abs(derivative));
       };
-      RC_ASSERT(near(sample.surface.Partial(at, i + 1, j)[0], by_elevation));
-      RC_ASSERT(near(sample.surface.Partial(at, i, j + 1)[0], by_plane));
+      RC_ASSERT(near(Partial(sample.surface, at, i + 1, j), by_elevation));
+      RC_ASSERT(near(Partial(sample.surface, at, i, j + 1), by_plane));
     }
   }
 }
@@ -269,7 +284,7 @@ RC_GTEST_PROP(SurfaceSpline, GivesItsPartialsAsJets, ()) {
   RC_ASSERT(std::abs(sample.surface.At(place)[0] - twice.part[kValue]) < kRounding);
   for (std::size_t part = 0; part < orders.size(); ++part) {
     const auto [i, j] = orders[part];
-    const double partial = sample.surface.Partial(place, i, j)[0];
+    const double partial = Partial(sample.surface, place, i, j);
     RC_ASSERT(std::abs(twice.part[part] - partial) < DerivativeRounding(i, j));
     if (part < once.part.size()) RC_ASSERT(once.part[part] == twice.part[part]);
   }
@@ -293,25 +308,30 @@ RC_GTEST_PROP(SurfaceSpline, GivesEachOfAPairTheBitsItWouldHaveAlone, ()) {
   }
 }
 
-// At a point that itself moves with (e, p): (e + 0.3 p + 0.1 e p, -0.2 e + p^2 / 2).
-template <typename T>
-std::array<T, 2> MovingPoint(const T& e, const T& p) {
-  return {e + 0.3 * p + 0.1 * (e * p), 0.5 * (p * p) - 0.2 * e};
-}
-
+// Differences of the surface along a line of the grid, at a point that moves with (e, p):
+// e + 0.3 p + 0.1 e p.
 RC_GTEST_PROP(SurfaceSpline, FollowsTheChainRule, ()) {
   constexpr double kStep = 1e-5;
   const Sample sample = AnySample();
   using Second = Jet<double, 2>;
   const double e = *NumberWithin(-1, 1);
   const double p = *NumberWithin(-1, 1);
+  const bool by_plane = *rc::gen::arbitrary<bool>();
+  const double other = by_plane ? AnyPlace(sample.elevations) : AnyPlace(sample.planes);
+  const auto moving = [](const auto& e_at, const auto& p_at) {
+    return e_at + 0.3 * p_at + 0.1 * (e_at * p_at);
+  };
+  const auto place_of = [&](double at) {
+    return by_plane ? sample.grid.PlaceOf(other, at) : sample.grid.PlaceOf(at, other);
+  };
   const auto jet_at = [&](double e_at, double p_at) {
     Second e_jet(e_at);
     Second p_jet(p_at);
     e_jet.part[kByElevation] = 1;
     p_jet.part[kByPlane] = 1;
-    const auto [elevation, plane] = MovingPoint(e_jet, p_jet);
-    return Evaluate(sample.surface, sample.grid, elevation, plane)[0];
+    const Second at = moving(e_jet, p_jet);
+    return by_plane ? Evaluate<0, 0>(sample.surface, sample.grid, other, at)[0]
+                    : Evaluate<0, 0>(sample.surface, sample.grid, at, other)[0];
   };
   const Second jet = jet_at(e, p);
   const auto slope_of = [&](JetPart part, double e_step, double p_step) {
@@ -322,14 +342,14 @@ RC_GTEST_PROP(SurfaceSpline, FollowsTheChainRule, ()) {
     // Far outside, a cubic's third derivative makes differences worse.
     return std::abs(derivative - difference) < 1e-4 * (1 + std::abs(derivative));
   };
+  const auto place = place_of(moving(e, p));
+  RC_ASSERT(std::abs(jet.part[kValue] - sample.surface.At(place)[0]) <
+            kRounding * (1 + std::abs(jet.part[kValue])));
   // Second derivatives leap by little within a step over a knot.
   RC_ASSERT(near(jet.part[kByElevation], slope_of(kValue, kStep, 0)));
   RC_ASSERT(near(jet.part[kByPlane], slope_of(kValue, 0, kStep)));
-  const auto [elevation, plane] = MovingPoint(e, p);
-  const auto place = sample.grid.PlaceOf(elevation, plane);
   const auto far = [&](double e_at, double p_at) {
-    const auto [other_elevation, other_plane] = MovingPoint(e_at, p_at);
-    return sample.grid.PlaceOf(other_elevation, other_plane).cell != place.cell;
+    return place_of(moving(e_at, p_at)).cell != place.cell;
   };
   RC_PRE(!far(e + kStep, p) && !far(e - kStep, p) && !far(e, p + kStep) && !far(e, p - kStep));
   RC_ASSERT(near(jet.part[kByElevationTwice], slope_of(kByElevation, kStep, 0)));
@@ -337,19 +357,26 @@ RC_GTEST_PROP(SurfaceSpline, FollowsTheChainRule, ()) {
   RC_ASSERT(near(jet.part[kByPlaneTwice], slope_of(kByPlane, 0, kStep)));
 }
 
-RC_GTEST_PROP(SurfaceSpline, CarriesTheSlopeOfADual, ()) {
+// The derivative by plane as a surface of its own, and the like.
+RC_GTEST_PROP(SurfaceSpline, CarriesTheSlopesOfItsPartials, ()) {
   const Sample sample = AnySample();
   const double elevation = AnyPlace(sample.elevations);
   const double plane = AnyPlace(sample.planes);
-  const double e_slope = *NumberWithin(-1, 1);
-  const double p_slope = *NumberWithin(-1, 1);
-  const auto dual = Evaluate(sample.surface, sample.grid, Dual<double>(elevation, e_slope),
-                             Dual<double>(plane, p_slope))[0];
+  const double slope = *NumberWithin(-1, 1);
+  Jet<double, 1> moving_elevation(elevation);
+  moving_elevation.part[kByElevation] = slope;
+  Jet<double, 1> moving_plane(plane);
+  moving_plane.part[kByPlane] = slope;
   const auto place = sample.grid.PlaceOf(elevation, plane);
-  const double expected = e_slope * sample.surface.Partial(place, 1, 0)[0] +
-                          p_slope * sample.surface.Partial(place, 0, 1)[0];
-  RC_ASSERT(dual.value == sample.At(elevation, plane));
-  RC_ASSERT(std::abs(dual.slope - expected) < DerivativeRounding(1, 0));
+  const auto by_plane = Evaluate<0, 1>(sample.surface, sample.grid, moving_elevation, plane)[0];
+  const auto by_elevation = Evaluate<1, 0>(sample.surface, sample.grid, elevation, moving_plane)[0];
+  RC_ASSERT((by_plane.part[kValue] == sample.surface.Partial<0, 1>(place)[0]));
+  RC_ASSERT((by_elevation.part[kValue] == sample.surface.Partial<1, 0>(place)[0]));
+  const double mixed = slope * sample.surface.Partial<1, 1>(place)[0];
+  RC_ASSERT(by_plane.part[kByElevation] == mixed);
+  RC_ASSERT(by_elevation.part[kByPlane] == mixed);
+  RC_ASSERT(by_plane.part[kByPlane] == 0);
+  RC_ASSERT(by_elevation.part[kByElevation] == 0);
 }
 
 }  // namespace
