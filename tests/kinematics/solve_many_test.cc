@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "kinematics/arm_commands.h"
+#include "kinematics/assembled_rhythm.h"
 #include "kinematics/shipped_data.h"
 
 namespace girdle::solve_many_test {
