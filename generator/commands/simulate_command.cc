@@ -151,6 +151,50 @@ PictureRequest RequestedPictures(const SimulateArguments& arguments) {
   return pictures;
 }
 
+std::string SummaryAsJson(const SimulateArguments& arguments, const SimulationSummary& summary) {
+  nlohmann::ordered_json json;
+  json["model"] = arguments.model;
+  const auto file = [](const std::string& name) {
+    return name.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(name);
+  };
+  json["trace"] = file(arguments.trace);
+  json["controls"] = file(arguments.controls);
+  json["picture"] = file(arguments.picture);
+  json["video"] = file(arguments.video);
+  json["frames"] = summary.frames;
+  json["rows"] = summary.rows;
+  json["duration_s"] = summary.duration_s;
+  json["clamped_rows"] = summary.clamped_rows;
+  json["worst_distance_deg"] = summary.worst_distance_deg;
+  json["worst_tracking_error_deg"] = summary.worst_error_deg;
+  json["last_tracking_error_deg"] = summary.last_error_deg;
+  return JsonText(json);
+}
+
+// What is said after a simulation: how it went, and a line for each file that was written.
+std::string SummaryAsText(const SimulateArguments& arguments, const SimulationSummary& summary) {
+  constexpr int kDecimals = 3;
+  return "simulated " + RoundedText(summary.duration_s, kDecimals) + " s in " +
+         std::to_string(summary.rows) + " states; joints at most " +
+         RoundedText(summary.worst_error_deg, kDecimals) + " deg off their targets, " +
+         RoundedText(summary.last_error_deg, kDecimals) + " at the end\n" +
+         (summary.clamped_rows > 0
+              ? std::to_string(summary.clamped_rows) +
+                    " commands lay outside the rhythm's or the controls' ranges; the nearest pose "
+                    "was used\n"
+              : "") +
+         (summary.worst_distance_deg > 0
+              ? "up to " + RoundedText(summary.worst_distance_deg, kDecimals) +
+                    " deg from measured positions: modelled, not measured\n"
+              : "") +
+         (!arguments.trace.empty() ? "trace  " + arguments.trace + "\n" : "") +
+         (!arguments.controls.empty() ? "controls  " + arguments.controls + "\n" : "") +
+         (!arguments.picture.empty() ? "picture  " + arguments.picture + "\n" : "") +
+         (!arguments.video.empty()
+              ? "video  " + arguments.video + ", " + std::to_string(summary.frames) + " frames\n"
+              : "");
+}
+
 void Simulate(const SimulateArguments& arguments) {
   const MotionRequest request = Requested(arguments);
   if (arguments.json && arguments.trace == "-") {
@@ -207,44 +251,10 @@ void Simulate(const SimulateArguments& arguments) {
     return;  // the table is the output
   }
   if (arguments.json) {
-    nlohmann::ordered_json json;
-    json["model"] = arguments.model;
-    const auto file = [](const std::string& name) {
-      return name.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(name);
-    };
-    json["trace"] = file(arguments.trace);
-    json["controls"] = file(arguments.controls);
-    json["picture"] = file(arguments.picture);
-    json["video"] = file(arguments.video);
-    json["frames"] = summary.frames;
-    json["rows"] = summary.rows;
-    json["duration_s"] = summary.duration_s;
-    json["clamped_rows"] = summary.clamped_rows;
-    json["worst_distance_deg"] = summary.worst_distance_deg;
-    json["worst_tracking_error_deg"] = summary.worst_error_deg;
-    json["last_tracking_error_deg"] = summary.last_error_deg;
-    Print(JsonText(json));
+    Print(SummaryAsJson(arguments, summary));
     return;
   }
-  constexpr int kDecimals = 3;
-  Print("simulated " + RoundedText(summary.duration_s, kDecimals) + " s in " +
-        std::to_string(summary.rows) + " states; joints at most " +
-        RoundedText(summary.worst_error_deg, kDecimals) + " deg off their targets, " +
-        RoundedText(summary.last_error_deg, kDecimals) + " at the end\n" +
-        (summary.clamped_rows > 0
-             ? std::to_string(summary.clamped_rows) +
-                   " commands lay outside the rhythm's or the controls' ranges; the nearest pose "
-                   "was used\n"
-             : "") +
-        (summary.worst_distance_deg > 0
-             ? "up to " + RoundedText(summary.worst_distance_deg, kDecimals) +
-                   " deg from measured positions: modelled, not measured\n"
-             : "") +
-        (trace ? "trace  " + arguments.trace + "\n" : "") +
-        (controls ? "controls  " + arguments.controls + "\n" : "") +
-        (picture ? "picture  " + arguments.picture + "\n" : "") +
-        (video ? "video  " + arguments.video + ", " + std::to_string(summary.frames) + " frames\n"
-               : ""));
+  Print(SummaryAsText(arguments, summary));
 }
 
 }  // namespace
