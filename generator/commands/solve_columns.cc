@@ -62,13 +62,13 @@ constexpr std::array<OutputColumns<SolvedRow, SolveAdditions>, 6> kSolveColumns 
        return DegreesFromRadians(row.angles_rad[k]);
      }},
     {[](const SolveAdditions&) { return Stems{std::string(kClampedStem)}; }, kNoUnit,
-     [](const SolvedRow& row, std::size_t) -> Cell { return row.solution.clamped ? 1.0 : 0.0; }},
+     [](const SolvedRow& row, std::size_t) -> Cell { return row.clamped ? 1.0 : 0.0; }},
     {[](const SolveAdditions&) { return Stems{std::string(kDistanceStem)}; }, kDegrees,
      [](const SolvedRow& row, std::size_t) -> Cell {
-       return DegreesFromRadians(row.solution.distance_rad);
+       return DegreesFromRadians(row.distance_rad);
      }},
     {[](const SolveAdditions&) { return Stems{std::string(kOriginStem)}; }, kNoUnit,
-     [](const SolvedRow& row, std::size_t) -> Cell { return Name(row.solution.origin); }},
+     [](const SolvedRow& row, std::size_t) -> Cell { return Name(row.origin); }},
     {RateStems, kNoUnit, Rate},
     {PointStems, kMillimeters,
      [](const SolvedRow& row, std::size_t k) -> Cell {
@@ -77,18 +77,6 @@ constexpr std::array<OutputColumns<SolvedRow, SolveAdditions>, 6> kSolveColumns 
 }};
 
 }  // namespace
-
-SolvedRow SolvedRowOf(const ShoulderRhythm& rhythm, const ArmCommand& command,
-                      const ShoulderSolution& solution, const SolveAdditions& additions) {
-  SolvedRow row{solution, AnglesFromPose(solution.pose), std::nullopt, {}};
-  if (additions.rates) {
-    row.rates = rhythm.SolveRates(command);
-  }
-  if (additions.points_of) {
-    row.points = ShoulderPoints(*additions.points_of, solution.pose);
-  }
-  return row;
-}
 
 WrittenColumns<SolvedRow, AppendRounded> SolveColumns(const SolveAdditions& additions) {
   return {kSolveColumns, additions};

@@ -30,18 +30,15 @@ struct SolveAdditions {
   std::optional<Anatomy> points_of = std::nullopt;
 };
 
-/// A row that is solved, with what its columns need. The solution has to outlive it.
+/// What the columns of a row that is solved are made of; as in ShoulderSolution.
 struct SolvedRow {
-  const ShoulderSolution& solution;
-  JointAngles angles_rad;
+  JointAngles angles_rad;  ///< in the order of kCoordinateNames
+  bool clamped;
+  double distance_rad;
+  Origin origin;
   std::optional<ShoulderRates> rates;  ///< where they are asked for
   std::vector<ShoulderPoint> points;   ///< where they are asked for
 };
-
-/// Returns the row of a command that `rhythm` answered by `solution`.
-[[nodiscard]] SolvedRow SolvedRowOf(const ShoulderRhythm& rhythm, const ArmCommand& command,
-                                    const ShoulderSolution& solution,
-                                    const SolveAdditions& additions);
 
 /// Returns the columns in their order:
 ///

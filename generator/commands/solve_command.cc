@@ -13,7 +13,6 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <system_error>
 #include <thread>
@@ -372,7 +371,7 @@ std::size_t ChosenThreads(const std::optional<std::string>& text) {
   return static_cast<std::size_t>(*number);
 }
 
-void SolveFile(const RowSource& source, const SolveArguments& arguments) {
+RowOptions ChosenRowOptions(const SolveArguments& arguments) {
   RowOptions options;
   options.threads = ChosenThreads(arguments.threads);
   options.shrug_deg = ShrugArgument(arguments);
@@ -381,35 +380,30 @@ void SolveFile(const RowSource& source, const SolveArguments& arguments) {
   if (arguments.axial_deg) {
     options.axial_deg = NumberArgument("--axial", *arguments.axial_deg);
   }
+  return options;
+}
+
+void SolveFile(const RowSource& source, const SolveArguments& arguments) {
+  const RowOptions options = ChosenRowOptions(arguments);
   SolveRows(source, arguments.out, ChosenRhythm(arguments.rhythm), options);
 }
 
-// All combinations of the elevations and planes given, as a file of poses would be.
-void SolveSweep(const SolveArguments& arguments) {
+// All combinations of the elevations and planes given.
+void SolveAllPositions(const SolveArguments& arguments) {
   const auto values = [](const SweptAngle& angle, const std::optional<std::string>& text) {
     return text && IsSweep(*text) ? SweepValues_deg(angle, *text, kMostSwept)
                                   : std::vector{RequiredNumber(std::string(angle.option), text)};
   };
-  const std::vector<double> elevations_deg = values(kSweptElevation, arguments.elevation_deg);
-  const std::vector<double> planes_deg = values(kSweptPlane, arguments.plane_deg);
-  if (elevations_deg.size() * planes_deg.size() > kMostSwept) {
-    throw InputError("--elevation and --plane make " +
-                     std::to_string(elevations_deg.size() * planes_deg.size()) +
+  const SweptPositions sweep{values(kSweptElevation, arguments.elevation_deg),
+                             values(kSweptPlane, arguments.plane_deg)};
+  const std::size_t positions = sweep.elevations_deg.size() * sweep.planes_deg.size();
+  if (positions > kMostSwept) {
+    throw InputError("--elevation and --plane make " + std::to_string(positions) +
                      " positions, at most " + std::to_string(kMostSwept) +
                      " are solved at once. Give larger steps, or a file with --in");
   }
-  std::string rows = std::string(kElevationColumn) + "," + kPlaneColumn + "\n";
-  for (const double plane_deg : planes_deg) {
-    for (const double elevation_deg : elevations_deg) {
-      AppendNumber(rows, elevation_deg);
-      rows += ',';
-      AppendNumber(rows, plane_deg);
-      rows += '\n';
-    }
-  }
-  const std::uintmax_t bytes = rows.size();
-  std::istringstream in(std::move(rows));
-  SolveFile({in, "the positions swept", bytes}, arguments);
+  const RowOptions options = ChosenRowOptions(arguments);
+  SolveSweep(sweep, arguments.out, ChosenRhythm(arguments.rhythm), options);
 }
 
 void Solve(const SolveArguments& arguments) {
@@ -430,7 +424,7 @@ void Solve(const SolveArguments& arguments) {
       throw InputError(
           "--json is for one pose. With FROM:TO:STEP the output is CSV: leave --json away");
     }
-    SolveSweep(arguments);
+    SolveAllPositions(arguments);
     return;
   }
   if (one && arguments.threads) {

@@ -10,6 +10,7 @@
 #include <exception>
 #include <limits>
 #include <mutex>
+#include <string_view>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -17,8 +18,11 @@
 
 #include "commands/output_file.h"
 #include "commands/progress.h"
+#include "commands/shoulder_points.h"
+#include "kinematics/solve_many.h"
 #include "names/model_names.h"
 #include "text/csv.h"
+#include "text/number_text.h"
 
 namespace girdle {
 namespace {
@@ -44,29 +48,38 @@ constexpr std::array<CommandColumn, 5> kCommandColumns = {{
      &RowOptions::protraction_deg, kProtractionRange},
 }};
 
-// What is read from a row and what is written behind it. Immutable: threads share it.
-class RowColumns {
- public:
-  // Throws InputError at the header if a column is missing, stands there beside the option that
-  // replaces it, or would stand twice in the output. The options have to outlive it.
-  RowColumns(const CsvReader& csv, const RowOptions& options)
-      : additions_(options.additions), answers_(SolveColumns(options.additions)) {
-    for (const CommandColumn& column : kCommandColumns) {
-      const std::optional<double> option_deg =
-          column.option == nullptr ? std::nullopt : options.*column.option_deg;
-      if (column.option == nullptr || csv.HasColumn(column.name)) {
-        commands_.push_back({csv.Column(column.name), column.angle_rad,
-                             TypedDegrees(column.bounds.lower_rad),
-                             TypedDegrees(column.bounds.upper_rad)});
-        if (option_deg) {
-          csv.Fail("the column " + std::string(column.name) + " and " + column.option +
-                   " exclude each other. Remove one");
-        }
-      } else if (option_deg) {
-        unless_given_.*column.angle_rad = RadiansFromDegrees(*option_deg);
-      }
+// Rows that are solved together, as they stand in the output before their answers.
+struct Rows {
+  std::vector<std::string_view> lines;
+  std::vector<ArmCommand> commands;
+
+  void Clear() noexcept {
+    lines.clear();
+    commands.clear();
+  }
+};
+
+// What a row asks where it has no column for it.
+ArmCommand CommandOf(const RowOptions& options) noexcept {
+  ArmCommand command;
+  for (const CommandColumn& column : kCommandColumns) {
+    if (column.option != nullptr && options.*column.option_deg) {
+      command.*column.angle_rad = RadiansFromDegrees(*(options.*column.option_deg));
     }
-    for (const std::string& name : answers_.names()) {
+  }
+  return command;
+}
+
+// What is written behind rows. Immutable: threads share it.
+class RowAnswers {
+ public:
+  // Rhythm and options have to outlive it.
+  RowAnswers(const ShoulderRhythm& rhythm, const RowOptions& options)
+      : rhythm_(rhythm), additions_(options.additions), columns_(SolveColumns(additions_)) {}
+
+  // Throws InputError at the header if a column would stand twice in the output.
+  void ExpectNoneIn(const CsvReader& csv) const {
+    for (const std::string& name : columns_.names()) {
       if (csv.HasColumn(name)) {
         csv.Fail("column '" + name + "' would stand twice in the output. Rename it in the input");
       }
@@ -74,21 +87,107 @@ class RowColumns {
   }
 
   // The header of the output behind that of the input, with a line end.
-  [[nodiscard]] std::string HeaderText() const { return "," + answers_.Header() + "\n"; }
+  [[nodiscard]] std::string HeaderText() const { return "," + columns_.Header() + "\n"; }
 
-  // Solves the current row and appends it, with its answer, to `text`.
-  void Append(std::string& text, const CsvRows& row, const ShoulderRhythm& rhythm) const {
-    ArmCommand command = unless_given_;
-    for (const ReadColumn& column : commands_) {
-      command.*column.angle_rad =
-          RadiansFromDegrees(row.NumberWithin(column.index, column.lower_deg, column.upper_deg));
+  // What is computed of rows; kept by each thread, so that memory is taken once.
+  struct Solved {
+    std::vector<ShoulderPose> poses;
+    std::vector<JointAngles> angles_rad;
+    std::vector<ArmCommand> used;
+    std::vector<Origin> origins;
+    std::vector<double> distances_rad;
+  };
+
+  // Solves rows and appends them, each with its answer, to `text`.
+  void Append(std::string& text, const Rows& rows, Solved& solved) const {
+    const std::size_t count = rows.commands.size();
+    solved.poses.resize(count);
+    solved.angles_rad.resize(count);
+    solved.used.resize(count);
+    solved.origins.resize(count);
+    solved.distances_rad.resize(count);
+    SolveMany(rhythm_, rows.commands,
+              {solved.poses, solved.angles_rad, solved.used, solved.origins, solved.distances_rad});
+    for (std::size_t i = 0; i < count; ++i) {
+      SolvedRow row{solved.angles_rad[i],
+                    solved.used[i] != rows.commands[i],
+                    solved.distances_rad[i],
+                    solved.origins[i],
+                    std::nullopt,
+                    {}};
+      if (additions_.rates) {
+        row.rates = rhythm_.SolveRates(rows.commands[i]);
+      }
+      if (additions_.points_of) {
+        row.points = ShoulderPoints(*additions_.points_of, solved.poses[i]);
+      }
+      text += rows.lines[i];
+      text += ',';
+      columns_.Append(text, row);
+      text += '\n';
     }
-    text += row.line();
-    text += ',';
-    const ShoulderSolution solution = rhythm.Solve(command);
-    answers_.Append(text, SolvedRowOf(rhythm, command, solution, additions_));
-    text += '\n';
   }
+
+ private:
+  const ShoulderRhythm& rhythm_;
+  const SolveAdditions& additions_;
+  WrittenColumns<SolvedRow, AppendRounded> columns_;
+};
+
+// Rows of a CSV. One thread at a time takes a block, and reads it while others take theirs.
+class CsvInput {
+ public:
+  using Block = CsvBlock;
+
+  // Throws InputError at the header if a column is missing or stands there beside the option that
+  // replaces it. The reader has to outlive it.
+  CsvInput(CsvReader& csv, std::uintmax_t bytes, const RowOptions& options)
+      : csv_(csv), bytes_(bytes), unless_given_(CommandOf(options)) {
+    for (const CommandColumn& column : kCommandColumns) {
+      if (column.option != nullptr && !csv.HasColumn(column.name)) {
+        continue;
+      }
+      columns_.push_back({csv.Column(column.name), column.angle_rad,
+                          TypedDegrees(column.bounds.lower_rad),
+                          TypedDegrees(column.bounds.upper_rad)});
+      if (column.option != nullptr && options.*column.option_deg) {
+        csv.Fail("the column " + std::string(column.name) + " and " + column.option +
+                 " exclude each other. Remove one");
+      }
+    }
+  }
+
+  [[nodiscard]] const std::string& header_line() const noexcept { return csv_.header_line(); }
+  // All there is of what SizeOf measures; 0 if that is not known.
+  [[nodiscard]] std::uintmax_t size() const noexcept { return bytes_; }
+  [[nodiscard]] static std::uintmax_t SizeOf(const Block& block) noexcept {
+    return block.text.size();
+  }
+  [[nodiscard]] bool HasRowsAtHand() { return csv_.HasLinesAtHand(); }
+  [[nodiscard]] bool Take(Block& block) { return csv_.TakeBlock(block); }
+
+  // Reads the rows of one block after the other, in one thread. The rows refer to the block.
+  class Reader {
+   public:
+    explicit Reader(const CsvInput& input) : input_(input), row_(input.csv_.header()) {}
+
+    void Read(const Block& block, Rows& rows) {
+      row_.Start(block);
+      while (row_.Next()) {
+        ArmCommand command = input_.unless_given_;
+        for (const ReadColumn& column : input_.columns_) {
+          command.*column.angle_rad = RadiansFromDegrees(
+              row_.NumberWithin(column.index, column.lower_deg, column.upper_deg));
+        }
+        rows.lines.push_back(row_.line());
+        rows.commands.push_back(command);
+      }
+    }
+
+   private:
+    const CsvInput& input_;
+    CsvRows row_;
+  };
 
  private:
   struct ReadColumn {
@@ -98,32 +197,89 @@ class RowColumns {
     double upper_deg;
   };
 
-  const SolveAdditions& additions_;
-  std::vector<ReadColumn> commands_;
-  ArmCommand unless_given_;  ///< what a row without a column for it asks
-  WrittenColumns<SolvedRow, AppendRounded> answers_;
+  CsvReader& csv_;
+  std::uintmax_t bytes_;
+  ArmCommand unless_given_;
+  std::vector<ReadColumn> columns_;
 };
 
-// A number of successive rows on their way from the input to the output.
-struct Portion {
-  std::size_t turn;  // from 0, in the order of the input
-  CsvBlock rows;
-  std::string answer;
-  std::exception_ptr error;
+// All positions of a sweep, those of the first plane first.
+class SweepInput {
+ public:
+  // As many positions as a thread takes at a time: as a CSV has in a block.
+  static constexpr std::size_t kBlock = 1024;
+  struct Block {
+    std::size_t first = 0;
+    std::size_t count = 0;
+  };
+
+  // The sweep has to outlive it.
+  SweepInput(const SweptPositions& sweep, const RowOptions& options)
+      : sweep_(sweep), unless_given_(CommandOf(options)) {}
+
+  [[nodiscard]] static std::string header_line() {
+    return std::string(kElevationColumn) + "," + kPlaneColumn;
+  }
+  [[nodiscard]] std::uintmax_t size() const noexcept {
+    return sweep_.elevations_deg.size() * sweep_.planes_deg.size();
+  }
+  [[nodiscard]] static std::uintmax_t SizeOf(const Block& block) noexcept { return block.count; }
+  [[nodiscard]] static bool HasRowsAtHand() noexcept { return true; }
+  [[nodiscard]] bool Take(Block& block) noexcept {
+    block = {taken_, std::min<std::size_t>(kBlock, size() - taken_)};
+    taken_ += block.count;
+    return block.count > 0;
+  }
+
+  class Reader {
+   public:
+    explicit Reader(const SweepInput& input) : input_(input) {}
+
+    void Read(const Block& block, Rows& rows) {
+      const std::vector<double>& elevations_deg = input_.sweep_.elevations_deg;
+      text_.clear();
+      ends_.clear();
+      for (std::size_t i = block.first; i < block.first + block.count; ++i) {
+        const double elevation_deg = elevations_deg[i % elevations_deg.size()];
+        const double plane_deg = input_.sweep_.planes_deg[i / elevations_deg.size()];
+        ArmCommand command = input_.unless_given_;
+        command.elevation_rad = RadiansFromDegrees(elevation_deg);
+        command.plane_rad = RadiansFromDegrees(plane_deg);
+        rows.commands.push_back(command);
+        AppendNumber(text_, elevation_deg);
+        text_ += ',';
+        AppendNumber(text_, plane_deg);
+        ends_.push_back(text_.size());
+      }
+      std::size_t start = 0;
+      for (const std::size_t end : ends_) {
+        rows.lines.push_back(std::string_view(text_).substr(start, end - start));
+        start = end;
+      }
+    }
+
+   private:
+    const SweepInput& input_;
+    std::string text_;
+    std::vector<std::size_t> ends_;
+  };
+
+ private:
+  const SweptPositions& sweep_;
+  ArmCommand unless_given_;
+  std::size_t taken_ = 0;
 };
 
 // Workers that each take a block of rows, answer it, and write when all before it is written.
+template <typename Input>
 class RowWorkers {
  public:
-  RowWorkers(CsvReader& csv, const RowColumns& columns, const ShoulderRhythm& rhythm,
-             OutputFile& out, TerminalProgress& progress, std::uintmax_t bytes)
-      : columns_(columns),
-        rhythm_(rhythm),
-        csv_(csv),
+  RowWorkers(Input& input, const RowAnswers& answers, OutputFile& out, TerminalProgress& progress)
+      : answers_(answers),
+        input_(input),
         out_(out),
         progress_(progress),
-        bytes_(bytes),
-        unwritten_header_(csv.header_line() + columns.HeaderText()) {}
+        unwritten_header_(input.header_line() + answers.HeaderText()) {}
 
   // Answers all rows with so many threads. Throws the first error in the order of the rows.
   void Run(std::size_t threads) {
@@ -148,12 +304,29 @@ class RowWorkers {
   }
 
  private:
+  // A number of successive rows on their way from the input to the output.
+  struct Portion {
+    std::size_t turn;  // from 0, in the order of the input
+    typename Input::Block block;
+    std::string answer;
+    std::exception_ptr error;
+  };
+
+  // What a worker needs and keeps from one portion to the next.
+  struct Workplace {
+    explicit Workplace(const Input& input) : reader(input) {}
+
+    typename Input::Reader reader;
+    Rows rows;
+    RowAnswers::Solved solved;
+  };
+
   void Work() {
-    CsvRows rows(csv_.header());
+    Workplace workplace(input_);
     Portion portion;
     while (Take(portion)) {
       if (!portion.error) {
-        Answer(portion, rows);
+        Answer(portion, workplace);
       }
       Write(portion);
     }
@@ -165,12 +338,12 @@ class RowWorkers {
     const std::lock_guard reading(reading_);
     portion.error = nullptr;
     try {
-      if (!csv_.HasLinesAtHand()) {
+      if (!input_.HasRowsAtHand()) {
         std::unique_lock writing(writing_);
         written_.wait(writing, [this] { return turns_written_ == turns_taken_ || error_; });
         out_.Flush();
       }
-      if (is_stopped_ || !csv_.TakeBlock(portion.rows)) {
+      if (is_stopped_ || !input_.Take(portion.block)) {
         return false;
       }
     } catch (...) {
@@ -180,13 +353,12 @@ class RowWorkers {
     return true;
   }
 
-  void Answer(Portion& portion, CsvRows& rows) const noexcept {
+  void Answer(Portion& portion, Workplace& workplace) const noexcept {
     portion.answer.clear();
+    workplace.rows.Clear();
     try {
-      rows.Start(portion.rows);
-      while (rows.Next()) {
-        columns_.Append(portion.answer, rows, rhythm_);
-      }
+      workplace.reader.Read(portion.block, workplace.rows);
+      answers_.Append(portion.answer, workplace.rows, workplace.solved);
     } catch (...) {
       portion.error = std::current_exception();
     }
@@ -204,9 +376,10 @@ class RowWorkers {
         out_.Write(unwritten_header_);
         unwritten_header_.clear();
         out_.Write(portion.answer);
-        bytes_done_ += portion.rows.text.size();
-        if (bytes_ > 0) {
-          progress_(std::min(1.0, static_cast<double>(bytes_done_) / static_cast<double>(bytes_)));
+        size_done_ += Input::SizeOf(portion.block);
+        if (input_.size() > 0) {
+          progress_(
+              std::min(1.0, static_cast<double>(size_done_) / static_cast<double>(input_.size())));
         }
         ++turns_written_;
       } catch (...) {
@@ -217,20 +390,18 @@ class RowWorkers {
     written_.notify_all();
   }
 
-  const RowColumns& columns_;
-  const ShoulderRhythm& rhythm_;
+  const RowAnswers& answers_;
 
   // Locked before writing_ where both are.
   std::mutex reading_;
-  CsvReader& csv_;
+  Input& input_;
   std::size_t turns_taken_ = 0;
 
   std::mutex writing_;
   std::condition_variable written_;  // or failed
   OutputFile& out_;
   TerminalProgress& progress_;
-  std::uintmax_t bytes_;
-  std::uintmax_t bytes_done_ = 0;
+  std::uintmax_t size_done_ = 0;
   std::string unwritten_header_;  // empty when it is written, which is with the first rows
   std::size_t turns_written_ = 0;
   std::exception_ptr error_;  // the first in the order of the rows
@@ -238,16 +409,30 @@ class RowWorkers {
   std::atomic<bool> is_stopped_ = false;
 };
 
+template <typename Input>
+void SolveInput(Input& input, const RowAnswers& answers, const std::string& out,
+                std::size_t threads) {
+  OutputFile file(out);
+  TerminalProgress progress("solving", out != "-");
+  RowWorkers(input, answers, file, progress).Run(threads);
+  file.Commit();
+}
+
 }  // namespace
 
 void SolveRows(const RowSource& source, const std::string& out, const ShoulderRhythm& rhythm,
                const RowOptions& options) {
   CsvReader csv(source.in, source.name);
-  const RowColumns columns(csv, options);
-  OutputFile file(out);
-  TerminalProgress progress("solving", out != "-");
-  RowWorkers(csv, columns, rhythm, file, progress, source.bytes).Run(options.threads);
-  file.Commit();
+  CsvInput input(csv, source.bytes, options);
+  const RowAnswers answers(rhythm, options);
+  answers.ExpectNoneIn(csv);
+  SolveInput(input, answers, out, options.threads);
+}
+
+void SolveSweep(const SweptPositions& sweep, const std::string& out, const ShoulderRhythm& rhythm,
+                const RowOptions& options) {
+  SweepInput input(sweep, options);
+  SolveInput(input, RowAnswers(rhythm, options), out, options.threads);
 }
 
 }  // namespace girdle

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// Solving a CSV of poses, row by row.
+/// Solving many poses: those of a CSV, or all combinations of some elevations and planes.
 #pragma once
 
 #include <cstddef>
@@ -9,6 +9,7 @@
 #include <istream>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "commands/solve_columns.h"
 #include "kinematics/shoulder_rhythm.h"
@@ -27,6 +28,13 @@ struct RowSource {
   std::istream& in;
   std::string name;      ///< for messages
   std::uintmax_t bytes;  ///< to come; 0 if that is not known
+};
+
+/// All combinations of these, in the order of the output: the elevations of the first plane, then
+/// those of the next. Neither is empty.
+struct SweptPositions {
+  std::vector<double> elevations_deg;
+  std::vector<double> planes_deg;
 };
 
 /// What all rows have in common.
@@ -48,5 +56,9 @@ struct RowOptions {
 /// to be written is then as it was before; standard output has whole rows from before that row.
 void SolveRows(const RowSource& source, const std::string& out, const ShoulderRhythm& rhythm,
                const RowOptions& options);
+
+/// Writes what SolveRows would write for a CSV with a row for each position.
+void SolveSweep(const SweptPositions& sweep, const std::string& out, const ShoulderRhythm& rhythm,
+                const RowOptions& options);
 
 }  // namespace girdle

@@ -196,7 +196,7 @@ std::vector<ManyPoses> ManyPlaces() {
 std::string OneByOne(const std::string& place) { return place + ", one by one"; }
 std::string OneByOneAngles(const std::string& place) { return place + ", angles, one by one"; }
 std::string Many(const std::string& place, int threads) {
-  return place + ", SolveMany, " + (threads == 1 ? "one thread" : "two threads");
+  return place + ", SolveMany, " + (threads == 1 ? "one thread" : "two threads, wall time");
 }
 std::string ManyAngles(const std::string& place) { return place + ", angles, SolveMany"; }
 std::string RatesOneByOne(const std::string& place) {
@@ -205,39 +205,42 @@ std::string RatesOneByOne(const std::string& place) {
 
 void RegisterMany() {
   const auto rhythm = std::make_shared<const ShoulderRhythm>(BuiltInRhythm());
-  // Times are of all commands; real ones, so that two threads count as they take.
-  const auto add = [](const std::string& name, const auto& work) {
-    benchmark::RegisterBenchmark(name.c_str(), [work](benchmark::State& state) {
+  // Times are of all commands; where there are threads, real ones.
+  const auto add = [](const std::string& name, bool has_threads, const auto& work) {
+    auto* added = benchmark::RegisterBenchmark(name.c_str(), [work](benchmark::State& state) {
       for ([[maybe_unused]] auto iteration : state) {
         work();
         benchmark::ClobberMemory();
       }
-    })->UseRealTime();
+    });
+    if (has_threads) {
+      added->UseRealTime();
+    }
   };
   for (const ManyPoses& many : ManyPlaces()) {
     const auto commands = std::make_shared<const std::vector<ArmCommand>>(many.commands);
     const auto poses = std::make_shared<std::vector<ShoulderPose>>(kPoses);
     const auto angles_rad = std::make_shared<std::vector<JointAngles>>(kPoses);
     const auto rates = std::make_shared<std::vector<ShoulderRates>>(kPoses);
-    add(OneByOne(many.place), [=] {
+    add(OneByOne(many.place), false, [=] {
       for (std::size_t i = 0; i < kPoses; ++i) {
         (*poses)[i] = rhythm->SolvePose((*commands)[i]);
       }
     });
     for (const int threads : {1, 2}) {
-      add(Many(many.place, threads), [=] {
+      add(Many(many.place, threads), threads > 1, [=] {
         SolveMany(*rhythm, *commands, {.poses = *poses},
                   {.threads = static_cast<std::size_t>(threads)});
       });
     }
-    add(OneByOneAngles(many.place), [=] {
+    add(OneByOneAngles(many.place), false, [=] {
       for (std::size_t i = 0; i < kPoses; ++i) {
         (*angles_rad)[i] = AnglesFromPose(rhythm->SolvePose((*commands)[i]));
       }
     });
-    add(ManyAngles(many.place),
+    add(ManyAngles(many.place), false,
         [=] { SolveMany(*rhythm, *commands, {.angles_rad = *angles_rad}); });
-    add(RatesOneByOne(many.place), [=] {
+    add(RatesOneByOne(many.place), false, [=] {
       for (std::size_t i = 0; i < kPoses; ++i) {
         (*rates)[i] = *rhythm->SolveRates((*commands)[i]);
       }
