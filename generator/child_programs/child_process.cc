@@ -55,8 +55,10 @@ void WriteAll(int file, std::string_view text) {
 [[noreturn]] void BeChild(int out, const Work& work) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   const int nowhere = open("/dev/null", O_RDWR | O_CLOEXEC);
-  dup2(nowhere, STDIN_FILENO);
-  dup2(nowhere, STDERR_FILENO);
+  if (nowhere >= 0) {  // a root without /dev has none
+    dup2(nowhere, STDIN_FILENO);
+    dup2(nowhere, STDERR_FILENO);
+  }
   dup2(out, STDOUT_FILENO);
   if (chdir("/") != 0) {
     _exit(kThrew);

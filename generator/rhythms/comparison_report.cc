@@ -201,6 +201,7 @@ std::string ComparisonAsText(const Comparison& comparison) {
     text += "; " + std::to_string(clamped) + " left out, beyond Girdle's reach";
   }
   std::vector<Row> says;
+  says.reserve(comparison.rhythms.size());
   for (const RhythmComparison& rhythm : comparison.rhythms) {
     says.push_back({std::string(rhythm.rhythm.name), std::string(rhythm.rhythm.says)});
   }

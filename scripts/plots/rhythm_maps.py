@@ -4,6 +4,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from figure import Figure, NumberTable, rounded
 from girdle_program import Girdle, Numbers, Rows
@@ -84,7 +86,7 @@ def make_rotation(girdle: Girdle, quick: bool) -> Figure:
 
     canvas, axes = plt.subplots(figsize=(8.4, 6))
     colors = axes.pcolormesh(*upward, cmap=SEQUENTIAL, shading="nearest", rasterized=True)
-    draw_lines(axes, upward, np.arange(-10, 71, 10), "white")
+    draw_lines(axes, upward, np.arange(-10.0, 71.0, 10.0), "white")
     draw_border(axes, distance)
     prepare(axes)
     axes.set_xlabel("plane of elevation (deg): 0 frontal, 40 scapular, 90 sagittal")
@@ -180,7 +182,7 @@ def make_distances(girdle: Girdle, quick: bool) -> Figure:
     )
 
 
-def difference_tables(summary: dict, names: list[str]) -> list[NumberTable]:
+def difference_tables(summary: dict[str, Any], names: list[str]) -> list[NumberTable]:
     """The program's own summary: within the table, and on all of the map."""
     quantities = {
         "st_upward_rotation": "upward rotation",

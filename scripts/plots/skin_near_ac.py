@@ -4,11 +4,16 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from bodies import Body
 from figure import Figure, NumberTable, significant
 from girdle_program import Girdle
 from matplotlib import pyplot as plt
 from panels import View, compose, draw, drawn
+
+# A line of `girdle verify --json`.
+Line = dict[str, Any]
 
 ELEVATIONS_DEG = (90, 120)
 CAMERAS = ("front", "back")
@@ -82,8 +87,12 @@ def skin_lines(girdle: Girdle, body: Body) -> list[NumberTable]:
             if of.endswith(f", {each}"):
                 of, side = of.removesuffix(f", {each}"), each
         row = [of]
-        for each in lines:
-            row += ["-", ""] if each is None else [significant(each["value"], 3), verdict(each)]
+        for of_girdle in lines:
+            row += (
+                ["-", ""]
+                if of_girdle is None
+                else [significant(of_girdle["value"], 3), verdict(of_girdle)]
+            )
         rows[side].append([*row, line["unit"], required(line)])
     header = ["of", "(a) measured", "", "(b) GH alone", "", "unit", "required"]
     return [
@@ -92,19 +101,19 @@ def skin_lines(girdle: Girdle, body: Body) -> list[NumberTable]:
     ]
 
 
-def what_of(line: dict) -> str:
+def what_of(line: Line) -> str:
     """What a line is about, with what its group has in its name beside skin."""
     beside = line["group"].removeprefix("skin").strip(" ,:")
     return f"{beside}, {line['item']}" if beside else line["item"]
 
 
-def verdict(line: dict) -> str:
+def verdict(line: Line) -> str:
     if line["tolerance"] is None:
         return "stated"
     return "pass" if line["passed"] else "FAIL"
 
 
-def required(line: dict) -> str:
+def required(line: Line) -> str:
     if line["tolerance"] is None:
         return "-"
     sign = ">" if line["bound"] == "more than" else "≤"

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import matplotlib
 
@@ -26,12 +27,12 @@ GREY = "#777777"
 
 # Of one kind of line everywhere: colour, dashes and marker differ, so that a copy in grey can be
 # read too.
-INTERPOLATIONS = {
+INTERPOLATIONS: dict[str, dict[str, Any]] = {
     "slerp": {"color": VERMILION, "linestyle": (0, (5, 2)), "marker": "s"},
     "squad": {"color": BLUE, "linestyle": "-", "marker": "o"},
     "smooth": {"color": GREEN, "linestyle": (0, (1, 1.2)), "marker": "^"},
 }
-RHYTHMS = {
+RHYTHMS: dict[str, dict[str, Any]] = {
     "Girdle": {"color": BLACK, "linestyle": "-"},
     "Inman": {"color": BLUE, "linestyle": (0, (6, 2))},
     "Braman": {"color": VERMILION, "linestyle": (0, (1, 1.2))},

@@ -36,6 +36,7 @@ constexpr SmoothingOptions kSameForAll = {.penalty = 10, .gh_low_share = 1};
 
 std::vector<double> EvenElevations(std::size_t count = kRowCount) {
   std::vector<double> elevations_rad;
+  elevations_rad.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
     elevations_rad.push_back(RadiansFromDegrees(15 + 5 * static_cast<double>(i)));
   }

@@ -518,6 +518,7 @@ RC_GTEST_PROP(ShoulderRhythm, OfFourPositionsIsSlerpOfSlerp, ()) {
 // Two planes whose clavicle stands still in one and turns step by step in the other.
 RhythmTable TurningTable(const std::vector<double>& turns_deg) {
   std::vector<double> elevations_rad;
+  elevations_rad.reserve(turns_deg.size());
   for (std::size_t i = 0; i < turns_deg.size(); ++i) {
     elevations_rad.push_back(0.1 * static_cast<double>(i + 1));
   }

@@ -34,6 +34,7 @@ RhythmTable AnyTable(std::size_t planes, std::size_t elevations, double spread_r
   }
   const auto knots = [](std::size_t size) {
     std::vector<double> knots_rad;
+    knots_rad.reserve(size);
     for (std::size_t i = 0; i < size; ++i) {
       knots_rad.push_back(0.1 * static_cast<double>(i));
     }
@@ -75,6 +76,7 @@ Quaternion Expected(const RhythmTable& table, const RhythmCell& cell, std::size_
   std::vector<Quaternion> planes;
   for (std::size_t j = 0; j < table.planes_rad().size(); ++j) {
     std::vector<Quaternion> knots;
+    knots.reserve(table.elevations_rad().size());
     for (std::size_t i = 0; i < table.elevations_rad().size(); ++i) {
       knots.push_back(JointAt(table, j, i, joint));
     }

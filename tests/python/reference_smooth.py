@@ -176,11 +176,11 @@ def twist(q_TH: Array) -> Array:
     return 2.0 * np.arctan2(q_TH[2], q_TH[0])
 
 
-def lowest_plane_deg(elevation_deg: Array) -> Array:
-    return np.interp(elevation_deg, REACH_ELEVATIONS_DEG, REACH_PLANES_DEG)
+def lowest_plane_deg(elevation_deg: Array | float) -> Array:
+    return np.asarray(np.interp(elevation_deg, REACH_ELEVATIONS_DEG, REACH_PLANES_DEG))
 
 
-def distance_from_measured_deg(elevation_deg: Array, plane_deg: Array) -> Array:
+def distance_from_measured_deg(elevation_deg: Array | float, plane_deg: Array | float) -> Array:
     """The smallest angle from the arm to one of elevation 15..120 and plane 0..90.
 
     The cosine of the angle between the directions (theta, psi) and (t, p) is
@@ -222,7 +222,7 @@ class Spline:
     through all. Outside the knots the first and the last polynomial go on.
     """
 
-    def __init__(self, knots: Sequence[float]) -> None:
+    def __init__(self, knots: Sequence[float] | Array) -> None:
         self.knots = np.array(knots, dtype=float)
         self.widths = np.diff(self.knots)
         if len(self.knots) < PARABOLA_KNOTS:
@@ -533,7 +533,7 @@ class SmoothRhythm:
                 "yxz", np.degrees(angles[:, columns] + share * offset[:, columns])
             )
             q_SH = multiply(inverses(multiply(moved, q_CS[:, columns])), q_TH[:, columns])
-            gh = np.stack(euler_angles_deg("xzy", q_SH))
+            gh: Array = np.array(euler_angles_deg("xzy", q_SH))
             gh[2] = in_axial_window_deg(gh[2])
             return gh
 
@@ -605,7 +605,7 @@ class SmoothRhythm:
         return {"sc": q_TC, "ac": q_CS, "gh": q_SH}, additions
 
     def answerable(
-        self, elevation_deg: Array, plane_deg: Array, extent: Extent
+        self, elevation_deg: Array | float, plane_deg: Array | float, extent: Extent
     ) -> tuple[Array, Array]:
         """The nearest elevation, and at that elevation the nearest plane."""
         if extent == "clamp":
@@ -619,8 +619,8 @@ class SmoothRhythm:
 
     def command(
         self,
-        elevation_deg: Array,
-        plane_deg: Array,
+        elevation_deg: Array | float,
+        plane_deg: Array | float,
         axial_deg: Array | float,
         shrug_deg: Array | float,
         protraction_deg: Array | float,
@@ -639,8 +639,8 @@ class SmoothRhythm:
 
     def solve(
         self,
-        elevation_deg: Array,
-        plane_deg: Array,
+        elevation_deg: Array | float,
+        plane_deg: Array | float,
         axial_deg: Array | float = 0.0,
         shrug_deg: Array | float = 0.0,
         protraction_deg: Array | float = 0.0,
@@ -677,8 +677,8 @@ class SmoothRhythm:
 
     def rates(
         self,
-        elevation_deg: Array,
-        plane_deg: Array,
+        elevation_deg: Array | float,
+        plane_deg: Array | float,
         axial_deg: Array | float = 0.0,
         shrug_deg: Array | float = 0.0,
         protraction_deg: Array | float = 0.0,

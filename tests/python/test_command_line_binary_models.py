@@ -45,7 +45,7 @@ mujoco.mj_saveModel(ctypes.c_void_p(loaded), binary.encode(), None, 0)
 
 def save_with_one_plugin(plugin: Path, model: Path, binary: Path) -> None:
     (engine,) = Path(mujoco.__file__).parent.glob("libmujoco.so*")
-    command = [sys.executable, "-c", SAVE, engine, plugin, model, binary]
+    command: list[str | Path] = [sys.executable, "-c", SAVE, engine, plugin, model, binary]
     subprocess.run(command, check=True, timeout=PROGRAM_TIMEOUT_S)
 
 

@@ -34,8 +34,8 @@ def compiled(code: str, linked: tuple[str, ...]) -> bytes:
     """The library that a code becomes; many tests want the same few."""
     with tempfile.TemporaryDirectory() as folder:
         library = Path(folder) / "library.so"
-        command = [os.environ.get("CXX", "c++"), "-shared", "-fPIC", "-x", "c++", "-", "-o", library]
-        subprocess.run([*command, *linked], input=code.encode(), check=True)
+        command: list[str | Path] = [os.environ.get("CXX", "c++"), "-shared", "-fPIC", "-x", "c++", "-", "-o"]
+        subprocess.run([*command, library, *linked], input=code.encode(), check=True)
         return library.read_bytes()
 
 

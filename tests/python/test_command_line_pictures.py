@@ -269,8 +269,8 @@ def test_any_model_can_be_drawn(draw: Draw, tmp_path: Path) -> None:
 
 
 def probe(video: Path) -> dict[str, Any]:
-    command = ["ffprobe", "-v", "error", "-count_frames", "-show_streams", "-of", "json", video]
-    output = subprocess.run(command, capture_output=True, check=True).stdout
+    words = ("-v", "error", "-count_frames", "-show_streams", "-of", "json")
+    output = subprocess.run(["ffprobe", *words, video], capture_output=True, check=True).stdout
     (stream,) = json.loads(output)["streams"]
     return stream
 
@@ -297,7 +297,8 @@ def test_a_video_begins_and_ends_with_the_motion(
 ) -> None:
     pictures = ("--video", "arm.mp4", "--fps", "5", "--picture", "end.png")
     girdle_fine("simulate", scene, "--raise", "0:90", "--seconds", "2", *SMALL, *pictures)
-    command = ["ffmpeg", "-v", "error", "-i", tmp_path / "arm.mp4", tmp_path / "frame_%d.png"]
+    video, frames = tmp_path / "arm.mp4", tmp_path / "frame_%d.png"
+    command: list[str | Path] = ["ffmpeg", "-v", "error", "-i", video, frames]
     subprocess.run(command, check=True, stdin=subprocess.DEVNULL)
     compressed = 6  # mean of what the encoder changes, and colours at half the resolution
     first = read_png(tmp_path / "frame_1.png")
@@ -333,8 +334,8 @@ def film(
     if not films:
         folder = tmp_path_factory.mktemp("film")
         (folder / "a.mp4").write_bytes(EARLIER)
-        results = ("--trace", folder / "seen.csv", "--video", folder / "a.mp4")
-        results += ("--picture", folder / "a.png")
+        videos = ("--video", folder / "a.mp4", "--picture", folder / "a.png")
+        results = ("--trace", folder / "seen.csv", *videos)
         said = girdle_fine("simulate", scene, *RAISE, *SMALL, *results, "--json").text
         films.append(Film(folder, json.loads(said)))
     return films[0]

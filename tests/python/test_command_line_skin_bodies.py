@@ -318,8 +318,8 @@ def made_person(shared: SharedResults) -> Person:
     landmarks_m = {}
     for name, (segment, place_m) in bones.items():
         origin, rotation = skin.bones[segment if segment == "thorax" else f"{segment}_r"]
-        turned = rotated(rotation, place_m)
-        landmarks_m[name] = in_room(tuple(a + b for a, b in zip(origin, turned, strict=True)))
+        x, y, z = rotated(rotation, place_m)
+        landmarks_m[name] = in_room((origin[0] + x, origin[1] + y, origin[2] + z))
     in_a_room = Skin([in_room(v) for v in skin.vertices_m], skin.triangles)
     return Person(in_a_room, landmarks_m, bones)
 
@@ -455,8 +455,8 @@ def with_finer_faces(skin: Skin, most_vertices: int) -> Skin:
     while len(vertices) <= most_vertices:
         a, b, c = triangles[at]
         middle = len(vertices)
-        corners = zip(vertices[a], vertices[b], vertices[c], strict=True)
-        vertices.append(tuple(sum(values) / 3 for values in corners))
+        x, y, z = (sum(values) / 3 for values in zip(vertices[a], vertices[b], vertices[c], strict=True))
+        vertices.append((x, y, z))
         triangles[at] = (a, b, middle)
         triangles += [(b, c, middle), (c, a, middle)]
         at += 1

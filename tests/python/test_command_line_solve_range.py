@@ -89,8 +89,14 @@ def measured(database: list[Position]) -> SmoothRhythm:
     return SmoothRhythm(database)
 
 
-def reference_angles_deg(rhythm: SmoothRhythm, *command_deg: float) -> dict[str, float]:
-    poses = rhythm.solve(*(np.array([value]) for value in command_deg))
+def reference_angles_deg(
+    rhythm: SmoothRhythm, elevation_deg: float, plane_deg: float, *added_deg: float
+) -> dict[str, float]:
+    """Further numbers are what is added: axial, shrug, protraction."""
+    axial_deg, shrug_deg, protraction_deg = (*added_deg, 0.0, 0.0, 0.0)[:3]
+    angles = (elevation_deg, plane_deg, axial_deg, shrug_deg, protraction_deg)
+    elevation, plane, axial, shrug, protraction = (np.array([angle]) for angle in angles)
+    poses = rhythm.solve(elevation, plane, axial, shrug, protraction)
     return {coordinate: float(values[0]) for coordinate, values in poses.angles_deg.items()}
 
 

@@ -7,6 +7,7 @@ from __future__ import annotations
 import csv
 import json
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -91,12 +92,14 @@ def rms(values: Array) -> float:
 
 
 @pytest.fixture
-def report(girdle_fine: Girdle) -> dict:
+def report(girdle_fine: Girdle) -> dict[str, Any]:
     return json.loads(girdle_fine("thorax", "--table", DATABASE, "--json").text)
 
 
 @pytest.mark.parametrize("which", ["fitted", "anatomy"])
-def test_the_distances_are_those_of_the_bones_from_the_ellipsoid(report: dict, which: str) -> None:
+def test_the_distances_are_those_of_the_bones_from_the_ellipsoid(
+    report: dict[str, Any], which: str
+) -> None:
     printed = report[which]
     ellipsoid = np.array([*printed["center_m"], *printed["radii_m"]])
     rows = measured_positions(DATABASE)
@@ -115,7 +118,7 @@ def test_the_distances_are_those_of_the_bones_from_the_ellipsoid(report: dict, w
     assert printed["rms_mm"] == pytest.approx(rms(both), abs=SEARCHED_MM)
 
 
-def test_the_fit_is_as_good_as_the_committed_one(report: dict) -> None:
+def test_the_fit_is_as_good_as_the_committed_one(report: dict[str, Any]) -> None:
     assert report["anatomy"]["rms_mm"] == pytest.approx(COMMITTED_RMS_MM, abs=COMMITTED_ROUNDED_MM)
     assert report["fitted"]["rms_mm"] <= report["anatomy"]["rms_mm"]
     assert [*report["anatomy"]["center_m"], *report["anatomy"]["radii_m"]] == list(
@@ -123,7 +126,7 @@ def test_the_fit_is_as_good_as_the_committed_one(report: dict) -> None:
     )
 
 
-def test_no_number_of_the_fit_is_known_worse_than_the_ribcage_tells_it(report: dict) -> None:
+def test_no_number_of_the_fit_is_known_worse_than_the_ribcage_tells_it(report: dict[str, Any]) -> None:
     """The pull towards the ribcage bounds what the points leave open, 70 mm for 4 mm of scatter."""
     fitted = report["fitted"]
     deviations = [*fitted["center_deviation_m"], *fitted["radii_deviation_m"]]
@@ -132,7 +135,7 @@ def test_no_number_of_the_fit_is_known_worse_than_the_ribcage_tells_it(report: d
     assert max(deviations) < most_m
 
 
-def test_the_text_gives_the_numbers_of_the_json(girdle_fine: Girdle, report: dict) -> None:
+def test_the_text_gives_the_numbers_of_the_json(girdle_fine: Girdle, report: dict[str, Any]) -> None:
     text = girdle_fine("thorax", "--table", DATABASE).text
     lines = [" ".join(line.split()) for line in text.splitlines()]
     for label, which in (("fitted", "fitted"), ("the anatomy's", "anatomy")):
@@ -148,7 +151,7 @@ def test_the_text_gives_the_numbers_of_the_json(girdle_fine: Girdle, report: dic
 
 
 def test_the_file_holds_the_fit_and_the_same_ribcage(
-    girdle_fine: Girdle, report: dict, tmp_path: Path
+    girdle_fine: Girdle, report: dict[str, Any], tmp_path: Path
 ) -> None:
     girdle_fine("thorax", "--table", DATABASE, "--out", "thorax.csv")
     written = tmp_path / "thorax.csv"

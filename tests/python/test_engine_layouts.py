@@ -19,7 +19,7 @@ TESTED = (PINS / "tested_engines.txt").read_text().split()
 
 
 def check(top: Path, *versions: str) -> subprocess.CompletedProcess[str]:
-    command = [top / "scripts" / "engine_layouts", "--check", *versions]
+    command: list[str | Path] = [top / "scripts" / "engine_layouts", "--check", *versions]
     return subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
 
 

@@ -114,7 +114,7 @@ def test_an_engine_that_has_moved_is_named_and_found_through_the_environment(
     module.write_bytes(module.read_bytes().replace(engine_dir.encode(), gone.encode()))
     program = installed / "bin" / "girdle"
     assert "not loaded: cannot run MuJoCo" in run(program, "generate", "--out", tmp_path)
-    command = [program, "verify", tmp_path / "scene.xml"]
+    command: list[str | Path] = [program, "verify", tmp_path / "scene.xml"]
     refused = subprocess.run(command, capture_output=True, text=True, check=False)
     assert refused.returncode == 2
     assert re.search(r"libmujoco\.so\.\S+: cannot open shared object", refused.stderr)

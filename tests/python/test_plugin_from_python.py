@@ -442,7 +442,7 @@ def test_an_axial_command_adds_to_the_last_gh_angle_alone(
     expected_rad = expected_targets_rad(smooth, [np.radians(c) for c in MEASURED_COMMANDS_DEG])
     for i, command_deg in enumerate(MEASURED_COMMANDS_DEG):
         axial_rad = math.radians((-20.0, 15.0)[i % 2])
-        targets_rad = forward(data, shoulder, [*np.radians(command_deg[:2]), axial_rad]).targets
+        targets_rad = forward(data, shoulder, np.array([*np.radians(command_deg[:2]), axial_rad])).targets
         expected_rad[i, -1] += axial_rad
         assert targets_rad == pytest.approx(expected_rad[i], abs=TARGET_RAD), command_deg
 

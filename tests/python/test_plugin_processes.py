@@ -243,7 +243,7 @@ def said_in_a_strange_engine(version: int, plugin: Path, folder: Path) -> str:
         ["g++", "-shared", "-fPIC", f"-DVERSION={version}", source, "-o", library], check=True
     )
     load = "import ctypes, sys\nctypes.CDLL(sys.argv[1])\nctypes.CDLL(sys.argv[2])"
-    command = [sys.executable, "-c", load, library, plugin]
+    command: list[str | Path] = [sys.executable, "-c", load, library, plugin]
     return subprocess.run(command, capture_output=True, text=True, check=True).stdout
 
 

@@ -12,6 +12,7 @@ import itertools
 import json
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -164,7 +165,7 @@ def test_columns_may_stand_in_any_order_and_further_ones_are_carried_along(
         assert angles_deg == pytest.approx(expected_deg, abs=AGREEMENT_DEG)
 
 
-def solve_one(run_program: RunProgram, elevation_deg: float, plane_deg: float) -> dict:
+def solve_one(run_program: RunProgram, elevation_deg: float, plane_deg: float) -> dict[str, Any]:
     pose = ("--elevation", elevation_deg, "--plane", plane_deg)
     return json.loads(run_program("solve", *pose, *PUBLISHED, "--json"))
 

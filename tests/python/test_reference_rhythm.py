@@ -14,6 +14,7 @@ from reference_rhythm import (
     JOINT_SEQUENCES,
     ST_SEQUENCE,
     Array,
+    Interpolation,
     Position,
     ReferenceRhythm,
     align_signs,
@@ -358,7 +359,7 @@ def test_the_papers_example_lies_in_its_cell(reference: ReferenceRhythm) -> None
 
 @pytest.mark.parametrize("interpolation", ["squad", "slerp"])
 def test_the_table_is_reproduced(
-    reference: ReferenceRhythm, database: list[Position], interpolation: str
+    reference: ReferenceRhythm, database: list[Position], interpolation: Interpolation
 ) -> None:
     for p in database:
         pose = reference.solve(p.elevation_deg, p.plane_deg, interpolation)
@@ -411,14 +412,16 @@ def velocity_jump(curve: Callable[[float], Array], x: float) -> float:
     return float(np.linalg.norm(velocity(h) - velocity(-h)))
 
 
-def largest_jump_over_theta(reference: ReferenceRhythm, joint: str, interpolation: str) -> float:
-    return max(
-        velocity_jump(
-            lambda theta, psi=psi: reference.solve(theta, psi, interpolation).rotations[joint], knot
+def largest_jump_over_theta(
+    reference: ReferenceRhythm, joint: str, interpolation: Interpolation
+) -> float:
+    def jump(knot: float, psi: float) -> float:
+        return velocity_jump(
+            lambda theta: reference.solve(theta, psi, interpolation).rotations[joint], knot
         )
-        for knot in reference.elevations_deg[1:-1]
-        for psi in (0.0, 20.0, 40.0, 65.0, 90.0)
-    )
+
+    planes_deg = (0.0, 20.0, 40.0, 65.0, 90.0)
+    return max(jump(knot, psi) for knot in reference.elevations_deg[1:-1] for psi in planes_deg)
 
 
 @pytest.mark.parametrize("joint", JOINT_SEQUENCES)
@@ -435,8 +438,8 @@ def test_slerp_jumps_over_elevation(reference: ReferenceRhythm) -> None:
 def test_squad_as_published_jumps_over_the_scapular_plane(
     reference: ReferenceRhythm, joint: str, jump: float
 ) -> None:
-    largest = max(
-        velocity_jump(lambda psi, theta=theta: reference.solve(theta, psi).rotations[joint], 40.0)
-        for theta in reference.elevations_deg
-    )
+    def jump_at(theta: float) -> float:
+        return velocity_jump(lambda psi: reference.solve(theta, psi).rotations[joint], 40.0)
+
+    largest = max(map(jump_at, reference.elevations_deg))
     assert largest == pytest.approx(jump, abs=HUNDREDTH)

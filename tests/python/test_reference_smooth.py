@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 import pytest
@@ -251,10 +252,11 @@ def test_the_hanging_humerus_turns_as_published(smooth: SmoothRhythm) -> None:
 def test_at_the_knots_the_arm_turns_as_in_the_table(
     smooth: SmoothRhythm, database: list[Position]
 ) -> None:
-    poses_deg = np.array([(p.elevation_deg, p.plane_deg) for p in database]).T
+    elevations_deg, planes_deg = np.array([(p.elevation_deg, p.plane_deg) for p in database]).T
+    closures: tuple[Closure, ...] = ("table", "exact")
     of_table, of_exact = (
-        twist(humerus(smooth.solve(*poses_deg, closure=closure, extent="clamp").rotations))
-        for closure in ("table", "exact")
+        twist(humerus(smooth.solve(elevations_deg, planes_deg, closure=closure, extent="clamp").rotations))
+        for closure in closures
     )
     difference = np.remainder(of_table - of_exact + math.pi, 2.0 * math.pi) - math.pi
     assert np.abs(difference).max() < ROUNDING
@@ -350,7 +352,8 @@ def test_additions_end_at_the_joints_ranges(
     poses_deg = reachable_poses(random)
     added_deg = random.uniform(-150.0, 150.0, SAMPLES)
     plain_deg = smooth.solve(*poses_deg).angles_deg[coordinate]
-    poses = SmoothRhythm(database, ranges).solve(*poses_deg, **{f"{name}_deg": added_deg})
+    added: dict[str, Any] = {f"{name}_deg": added_deg}
+    poses = SmoothRhythm(database, ranges).solve(*poses_deg, **added)
     expected_deg = np.clip(plain_deg + sign * added_deg, *ranges[coordinate])
     assert np.abs(poses.angles_deg[coordinate] - expected_deg).max() < 10.0 * ROUNDING_DEG
     used_deg = sign * getattr(poses, f"{name}_deg")
@@ -366,7 +369,7 @@ def test_gh_stops_offsets_where_its_range_ends(
     ranges = read_joint_ranges()
     random = np.random.default_rng(SEED)
     poses_deg = reachable_poses(random)
-    offsets = {
+    offsets: dict[str, Any] = {
         "shrug_deg": random.uniform(-15.0, 35.0, SAMPLES),
         "protraction_deg": random.uniform(-25.0, 30.0, SAMPLES),
     }
@@ -592,7 +595,9 @@ def test_velocity_does_not_jump_over_a_plane(smooth: SmoothRhythm, border_deg: f
         assert jump.max() < DIFFERENCE, (joint, jump.max())
 
 
-def bone_rates(smooth: SmoothRhythm, elevations_deg: Array, planes_deg: Array) -> dict:
+def bone_rates(
+    smooth: SmoothRhythm, elevations_deg: Array, planes_deg: Array
+) -> dict[str, dict[str, Array]]:
     """Angular velocities of clavicle, scapula and humerus in the thorax, in its axes."""
     rates = smooth.rates(elevations_deg, planes_deg)
     rotations = smooth.solve(elevations_deg, planes_deg).rotations
