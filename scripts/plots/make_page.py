@@ -148,16 +148,16 @@ def make_all(girdle: Girdle, body_folder: Path | None, notes: list[str], quick: 
         draw_coarsely()
     version = girdle.run("--version").split()[-1]
     girdle.take_commands()
+    makers = [implicit_body]
+    if body_folder is not None:
+        makers.append(partial(human_body, folder=body_folder))
+    # First: what is wrong with a body shows before anything is drawn.
+    bodies = [(make_body(girdle), girdle.take_commands()) for make_body in makers]
     figures = []
     for title, make in PLOTS:
         say(title)
         figures.append(make(girdle, quick))
-    makers = [implicit_body]
-    if body_folder is not None:
-        makers.append(partial(human_body, folder=body_folder))
-    for make_body in makers:
-        body = make_body(girdle)
-        generation = girdle.take_commands()
+    for body, generation in bodies:
         for figure in body_figures(girdle, body, quick):
             figure.commands = generation + figure.commands
             figures.append(figure)
