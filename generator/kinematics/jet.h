@@ -257,6 +257,12 @@ template <int Order>
   return Composed(x, value, -value, value);
 }
 
+template <typename T>
+[[nodiscard]] Dual<T> Decay(const Dual<T>& x) noexcept {
+  const T value = Decay(x.value);
+  return {value, -(value * x.slope)};
+}
+
 /// Angle of the point (x, y), not the origin.
 template <int Order>
 [[nodiscard]] Jet<double, Order> Atan2(const Jet<double, Order>& y,

@@ -182,6 +182,8 @@ class SmoothRhythm {
     T turn_by_elevation;
     QuaternionOf<PairOf<T>> inner_q;
   };
+  /// From derivatives by plane alone.
+  [[nodiscard]] static Row<Jet<double, 1>> AsJets(const Row<Dual<double>>& row) noexcept;
   template <typename T>
   [[nodiscard]] Row<T> RowAt(const T& plane_rad, const EndRow& end,
                              bool with_slopes) const noexcept;

@@ -228,6 +228,11 @@ SmoothRhythm::Row<T> SmoothRhythm::RowAt(const T& plane_rad, const EndRow& end,
                                          bool with_slopes) const noexcept {
   using namespace smooth_rhythm_detail;  // NOLINT(google-build-using-namespace): its functions
   using P = PairOf<T>;
+  if constexpr (std::is_same_v<T, Jet<double, 1>>) {
+    // A row does not depend on elevation: one derivative is enough.
+    const Dual<double> psi{plane_rad.part[kValue], plane_rad.part[kByPlane]};
+    return AsJets(RowAt(psi, end, with_slopes));
+  }
   Row<T> row;
   const double psi = ValueOf(plane_rad);
   if (psi >= edges_.first_plane_rad && psi <= edges_.last_plane_rad) {
@@ -285,6 +290,20 @@ SmoothRhythm::Row<T> SmoothRhythm::RowAt(const T& plane_rad, const EndRow& end,
                       .q_TC_CS;
   }
   return row;
+}
+
+inline SmoothRhythm::Row<Jet<double, 1>> SmoothRhythm::AsJets(
+    const Row<Dual<double>>& row) noexcept {
+  const auto jet = []<typename L>(const Dual<L>& x) {
+    Jet<L, 1> by_plane(x.value);
+    by_plane.part[kByPlane] = x.slope;
+    return by_plane;
+  };
+  return {{jet(row.q.w), jet(row.q.x), jet(row.q.y), jet(row.q.z)},
+          {jet(row.w[0]), jet(row.w[1]), jet(row.w[2])},
+          jet(row.turn_rad),
+          jet(row.turn_by_elevation),
+          {jet(row.inner_q.w), jet(row.inner_q.x), jet(row.inner_q.y), jet(row.inner_q.z)}};
 }
 
 template <typename T>

@@ -304,4 +304,18 @@ template <std::size_t I, std::size_t J, typename L, std::size_t K, int Order>
                         surface.template Partial<I, J + 2>(place));
 }
 
+template <std::size_t I, std::size_t J, typename L, std::size_t K>
+[[nodiscard]] std::array<Dual<L>, K> Evaluate(const SurfaceSpline<L, K>& surface,
+                                              const SurfaceGrid& grid, double elevation_rad,
+                                              const Dual<double>& plane_rad) noexcept {
+  const SurfaceGrid::Place place = grid.PlaceOf(elevation_rad, plane_rad.value);
+  const auto value = surface.template Partial<I, J>(place);
+  const auto slope = surface.template Partial<I, J + 1>(place);
+  std::array<Dual<L>, K> result;
+  for (std::size_t c = 0; c < K; ++c) {
+    result[c] = {value[c], L(plane_rad.slope) * slope[c]};
+  }
+  return result;
+}
+
 }  // namespace girdle

@@ -37,18 +37,18 @@ template <typename T>
 T Formula(const T& e, const T& p) {
   const T product = e * p - 0.3 * e + T(0.5);
   const T waves = Sine(product) * Cosine(T(e - 2.0 * p)) + Sine(p) * p;
-  return waves - Polynomial(kCoefficients, e + 0.5 * p) * (-p);
+  return waves * Decay(T(0.2 * product)) - Polynomial(kCoefficients, e + 0.5 * p) * (-p);
 }
 
 // And those of jets alone.
 template <typename T>
 T JetFormula(const T& e, const T& p) {
   const T length = Sqrt(e * e + p * p + T(1.0));
-  return Atan2(Formula(e, p), length) * Decay(T(0.2 * (e * p))) * length;
+  return Atan2(Formula(e, p), length) * length;
 }
 double JetFormula(double e, double p) {
   const double length = std::sqrt(e * e + p * p + 1);
-  return std::atan2(Formula(e, p), length) * std::exp(-0.2 * e * p) * length;
+  return std::atan2(Formula(e, p), length) * length;
 }
 
 template <int Order>

@@ -375,6 +375,9 @@ RC_GTEST_PROP(SurfaceSpline, CarriesTheSlopesOfItsPartials, ()) {
   const double mixed = slope * sample.surface.Partial<1, 1>(place)[0];
   RC_ASSERT(by_plane.part[kByElevation] == mixed);
   RC_ASSERT(by_elevation.part[kByPlane] == mixed);
+  const auto dual =
+      Evaluate<1, 0>(sample.surface, sample.grid, elevation, Dual<double>(plane, slope))[0];
+  RC_ASSERT(dual.value == by_elevation.part[kValue] && dual.slope == mixed);
   RC_ASSERT(by_plane.part[kByPlane] == 0);
   RC_ASSERT(by_elevation.part[kByElevation] == 0);
 }
