@@ -13,6 +13,7 @@
 
 #include "anatomy/ellipsoid.h"
 #include "anatomy/posed_bones.h"
+#include "kinematics/shoulder_rhythm.h"
 #include "kinematics/worst_case.h"
 #include "text/number_text.h"
 

@@ -62,6 +62,8 @@ struct JointRates {
   MovingRotation<double> q_SH;
 };
 
+// Members are in the order in which they are made from each other.
+// NOLINTNEXTLINE(clang-analyzer-optin.performance.Padding)
 class SmoothRhythm {
  public:
   static constexpr std::size_t kFewestElevations = 4;

@@ -27,10 +27,11 @@ RhythmTable Table() {
   return {Radians({0, 40, 90}), Radians({15, 20, 50, 60}), std::vector<RhythmPosition>(12)};
 }
 
-using Place_deg = std::pair<double, double>;  // elevation, plane
+using PlaceInDegrees = std::pair<double, double>;  // elevation, plane
 
-std::vector<Place_deg> Degrees(const std::vector<ArmCommand>& places) {
-  std::vector<Place_deg> degrees;
+std::vector<PlaceInDegrees> Degrees(const std::vector<ArmCommand>& places) {
+  std::vector<PlaceInDegrees> degrees;
+  degrees.reserve(places.size());
   for (const ArmCommand& place : places) {
     degrees.emplace_back(DegreesFromRadians(place.elevation_rad),
                          DegreesFromRadians(place.plane_rad));
@@ -38,7 +39,8 @@ std::vector<Place_deg> Degrees(const std::vector<ArmCommand>& places) {
   return degrees;
 }
 
-void ExpectNear(const std::vector<Place_deg>& found, const std::vector<Place_deg>& expected) {
+void ExpectNear(const std::vector<PlaceInDegrees>& found,
+                const std::vector<PlaceInDegrees>& expected) {
   ASSERT_EQ(found.size(), expected.size());
   for (std::size_t i = 0; i < found.size(); ++i) {
     EXPECT_NEAR(found[i].first, expected[i].first, kRounding_deg) << i;
@@ -47,7 +49,7 @@ void ExpectNear(const std::vector<Place_deg>& found, const std::vector<Place_deg
 }
 
 TEST(FewKnotCrossings, OfElevationsAreOnEveryInnerLineAtThePlanesAndBetween) {
-  std::vector<Place_deg> expected;
+  std::vector<PlaceInDegrees> expected;
   for (const double elevation_deg : {20, 50}) {
     for (const double plane_deg : {0.5, 20.0, 40.0, 65.0, 89.5}) {
       expected.emplace_back(elevation_deg, plane_deg);
@@ -57,7 +59,7 @@ TEST(FewKnotCrossings, OfElevationsAreOnEveryInnerLineAtThePlanesAndBetween) {
 }
 
 TEST(FewKnotCrossings, OfPlanesAreOnEveryInnerLineAtTheElevationsAndBetween) {
-  std::vector<Place_deg> expected;
+  std::vector<PlaceInDegrees> expected;
   for (const double elevation_deg : {15.5, 17.5, 20.0, 35.0, 50.0, 55.0, 59.5}) {
     expected.emplace_back(elevation_deg, 40);
   }

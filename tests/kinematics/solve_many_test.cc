@@ -140,7 +140,8 @@ Answers OneByOne(const AssembledRhythm& rhythm, const std::vector<ArmCommand>& c
 template <typename T>
 bool SameBytes(const std::vector<T>& a, const std::vector<T>& b) {
   return a.size() == b.size() &&
-         (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+         (a.empty() || std::memcmp(static_cast<const void*>(a.data()),
+                                   static_cast<const void*>(b.data()), a.size() * sizeof(T)) == 0);
 }
 
 void ExpectSame(const Answers& answers, const Answers& expected,

@@ -160,6 +160,7 @@ RhythmTable TableOf(const std::vector<double>& planes_deg,
       positions.push_back(position);
     }
   }
+  elevations_rad.reserve(elevations_deg.size());
   for (const double elevation_deg : elevations_deg) {
     elevations_rad.push_back(RadiansFromDegrees(elevation_deg));
   }

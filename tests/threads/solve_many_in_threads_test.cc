@@ -44,7 +44,9 @@ struct Answers {
 
 template <typename T>
 bool SameBytes(const std::vector<T>& a, const std::vector<T>& b) {
-  return std::memcmp(a.data(), b.data(), kCommands * sizeof(T)) == 0;
+  // The bytes are meant: NaNs, signs of zero and all.
+  return std::memcmp(static_cast<const void*>(a.data()), static_cast<const void*>(b.data()),
+                     kCommands * sizeof(T)) == 0;
 }
 
 TEST(SolveManyInThreads, ThreeCallersAtOnceEachGetTheBytesOfOneThread) {
