@@ -35,6 +35,7 @@ def test_clang_with_its_own_library_finds_the_same_poses() -> None:
     assert len(found) == len(wanted) == 3 * 25 * 27
     # Compilers may differ in the last digits where they order sums of products otherwise.
     for line, wanted_line in zip(found, wanted, strict=True):
-        assert line[0] == wanted_line[0] and len(line) == len(wanted_line)
+        assert line[0] == wanted_line[0]
+        assert len(line) == len(wanted_line)
         for number, wanted_number in zip(line[1:], wanted_line[1:], strict=True):
             assert abs(float(number) - float(wanted_number)) < 1e-12, (line, wanted_line)

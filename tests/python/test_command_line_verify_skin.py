@@ -19,7 +19,7 @@ from xml.etree import ElementTree
 import mujoco
 import numpy as np
 import pytest
-from conftest import ABOVE_TOLERANCE, MODEL_FILE, SCENE_FILE, Girdle, Refuses, RunProgram
+from conftest import ABOVE_TOLERANCE, MODEL_FILE, SCENE_FILE, Girdle, Refuses
 from reference_rhythm import DATABASE, JOINT_COORDINATES, Array
 from shared_results import SharedResults
 
@@ -207,9 +207,9 @@ def test_the_default_model_is_smooth_to_the_last_digit_of_each_way(measured: Rep
             assert line["tolerance"] == tolerance
             # Rounding leaves something, where anything was compared.
             assert 0 < line["value"] < tolerance / 2, line
-    for line in OTHER_JUMPS:
-        assert measured.skin[line]["tolerance"] is None
-        assert 0 < measured.skin[line]["value"] < VERTICES["linear blend"]
+    for other in OTHER_JUMPS:
+        assert measured.skin[other]["tolerance"] is None
+        assert 0 < measured.skin[other]["value"] < VERTICES["linear blend"]
 
 
 def test_a_model_that_moves_by_slerp_jumps_in_the_ac_skin_and_fails_in_nothing_else(
@@ -285,7 +285,8 @@ def test_a_table_of_the_users_own_is_what_is_measured(
     for line in JUMPS:
         where = re.search(r"elevation (\S+), plane (\S+)", reports["bent"][line]["where"])
         # Places on the lines are a degree apart.
-        assert where and math.dist((float(where[1]), float(where[2])), (70, 60)) <= 0.5, line
+        assert where
+        assert math.dist((float(where[1]), float(where[2])), (70, 60)) <= 0.5, line
     # Of a clavicle that turns by 3 deg more in 10 deg and then by as much less.
     lever_mm = reports["bent"]["jump of AC skin over elevation knots, linear blend"]["value"] / (
         math.radians(2 * 0.3)

@@ -55,7 +55,7 @@ def strange_folder(program: Path, tmp_path_factory: pytest.TempPathFactory) -> b
     """A folder with a model and a table whose names no JSON can hold: they are not UTF-8."""
     folder = os.fsencode(tmp_path_factory.mktemp("strange")) + b"/\xff"
     subprocess.run([program, "generate", "--out", folder], capture_output=True, check=True)
-    shutil.copy(TABLE, folder + b"/table.csv")
+    shutil.copy(os.fsencode(TABLE), folder + b"/table.csv")
     return folder
 
 

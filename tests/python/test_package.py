@@ -89,7 +89,7 @@ def test_a_switch_of_glm_changes_no_number(numbers: dict[str, str], switch: str)
 
 @pytest.mark.parametrize("switch", REFUSED_SWITCHES)
 def test_a_switch_of_glm_that_girdle_cannot_take_is_refused(project: Path, switch: str) -> None:
-    command = [CMAKE, "--build", project, "--target", f"consumer_{switch}"]
+    command: list[str | Path] = [CMAKE, "--build", project, "--target", f"consumer_{switch}"]
     refused = subprocess.run(command, capture_output=True, text=True, check=False)
     assert refused.returncode != 0
     assert REFUSED_SWITCHES[switch] in refused.stdout + refused.stderr
