@@ -161,6 +161,28 @@ GIRDLE_AVX2 void Angles(std::span<const ShoulderPose> poses,
 
 // ---- All of them.
 
+// Threads that are waited for. Clang's library has no std::jthread yet.
+class Helpers {
+ public:
+  explicit Helpers(std::size_t count) { threads_.reserve(count); }
+  Helpers(const Helpers&) = delete;
+  Helpers& operator=(const Helpers&) = delete;
+  ~Helpers() {
+    for (std::thread& thread : threads_) {
+      thread.join();
+    }
+  }
+
+  // Throws std::system_error if the system gives no more threads.
+  template <typename Work>
+  void Start(const Work& work) {
+    threads_.emplace_back(work);
+  }
+
+ private:
+  std::vector<std::thread> threads_;
+};
+
 // Calls `solve(first, count)` for blocks that together are 0 to `count`, in so many threads.
 template <typename Solve>
 void InThreads(std::size_t count, std::size_t threads, const Solve& solve) {
@@ -171,12 +193,11 @@ void InThreads(std::size_t count, std::size_t threads, const Solve& solve) {
       solve(block * kBlock, std::min(kBlock, count - block * kBlock));
     }
   };
-  std::vector<std::jthread> helpers;
   const std::size_t useful = std::min(threads, blocks);
-  helpers.reserve(useful);
+  Helpers helpers(useful);
   for (std::size_t i = 1; i < useful; ++i) {
     try {
-      helpers.emplace_back(work);
+      helpers.Start(work);
     } catch (const std::system_error&) {
       break;  // no more threads are to be had: these will do
     }
