@@ -65,7 +65,7 @@ GIRDLE_INLINE void Store(const QuaternionOf<Four>& q, Quaternion& a, Quaternion&
   d = {in_d[0], in_d[1], in_d[2], in_d[3]};
 }
 
-template <bool IsInTable, Closure kClosure>
+template <bool IsInTable, bool IsExact>
 GIRDLE_INLINE void SolveFours(const FourWork& work) noexcept {
   for (std::size_t i = 0; i < work.places.size(); i += Four::kSize) {
     const Four theta = Four::From(work.elevations_rad.data() + i);
@@ -75,9 +75,8 @@ GIRDLE_INLINE void SolveFours(const FourWork& work) noexcept {
     const QuaternionOf<Four> q_TC = Element(girdle.q_TC_CS, 0);
     const QuaternionOf<Four> q_CS = Element(girdle.q_TC_CS, 1);
     const QuaternionOf<Four> q_SH =
-        kClosure == Closure::kExact
-            ? Inverse(q_TC * q_CS) * HumerusRotation(theta, psi, girdle.turn_rad)
-            : work.smooth.HumeriInScapulae(theta, psi);
+        IsExact ? Inverse(q_TC * q_CS) * HumerusRotation(theta, psi, girdle.turn_rad)
+                : work.smooth.HumeriInScapulae(theta, psi);
     const auto store = [&](const QuaternionOf<Four>& q, Quaternion ShoulderPose::*joint) {
       Store(q, work.poses[work.places[i]].*joint, work.poses[work.places[i + 1]].*joint,
             work.poses[work.places[i + 2]].*joint, work.poses[work.places[i + 3]].*joint);
@@ -144,15 +143,11 @@ GIRDLE_INLINE void AnglesOfFours(std::span<const ShoulderPose> poses,
 }
 
 #if GIRDLE_HAS_AVX2
-GIRDLE_AVX2 void SolveInTable(const FourWork& work) noexcept {
-  SolveFours<true, Closure::kExact>(work);
-}
+GIRDLE_AVX2 void SolveInTable(const FourWork& work) noexcept { SolveFours<true, true>(work); }
 GIRDLE_AVX2 void SolveInTableWithItsArm(const FourWork& work) noexcept {
-  SolveFours<true, Closure::kTable>(work);
+  SolveFours<true, false>(work);
 }
-GIRDLE_AVX2 void SolveBeyondTable(const FourWork& work) noexcept {
-  SolveFours<false, Closure::kExact>(work);
-}
+GIRDLE_AVX2 void SolveBeyondTable(const FourWork& work) noexcept { SolveFours<false, true>(work); }
 GIRDLE_AVX2 void Angles(std::span<const ShoulderPose> poses,
                         std::span<JointAngles> angles_rad) noexcept {
   AnglesOfFours(poses, angles_rad);
