@@ -3,7 +3,8 @@
 
 // Thorax contact: how the thorax pushes TS and AI at rest, at every position of the table.
 //
-//     stiffness  force / depth - k,  the deepest contact, where it is deep enough to tell
+//     stiffness  force / depth - k,  the deepest contact, where it is deep enough to tell; where
+//                none is, it is NaN and does not pass
 //     depth      of MuJoCo's contact - that of TS or AI in the anatomy's ellipsoid
 //     pushed     torque of the contact / stiffness of the joint's servo
 //
@@ -21,6 +22,7 @@
 #include "residuals/extreme.h"
 #include "residuals/residual_groups.h"
 #include "residuals/shown_angles.h"
+#include "text/number_text.h"
 
 namespace girdle {
 namespace {
@@ -64,11 +66,13 @@ class ThoraxContactGroup : public ResidualGroup {
 
   void AddLines(std::vector<Residual>& lines) override {
     lines.push_back(force_N_.Worst(kThoraxContact, "force on TS or AI", "N", std::nullopt));
-    if (!stiffness_off_N_per_mm_.empty()) {
-      lines.push_back(stiffness_off_N_per_mm_.Worst(
-          kThoraxContact, "stiffness, off 20 N/mm", "N/mm",
-          is_adult() ? std::optional(kContactStiffnessShare * kContactStiffness_N_per_mm)
-                     : std::nullopt));
+    lines.push_back(stiffness_off_N_per_mm_.Worst(
+        kThoraxContact, "stiffness, off 20 N/mm", "N/mm",
+        is_adult() ? std::optional(kContactStiffnessShare * kContactStiffness_N_per_mm)
+                   : std::nullopt));
+    if (stiffness_off_N_per_mm_.empty()) {
+      lines.back().where = "not measured: no contact is deeper than " +
+                           NumberText(kMillimetersPerMeter * kDeepContact_m) + " mm";
     }
     lines.push_back(surface_off_mm_.Worst(kThoraxContact, "depth against the anatomy's", "mm",
                                           kContactSurface_mm));

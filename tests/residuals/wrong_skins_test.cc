@@ -7,8 +7,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -111,9 +113,8 @@ SkinFault GirdleHangsOnTheThorax(double given) {
 }
 
 SkinFault BoundElsewhere(const std::string& body) {
-  return [=](LandmarkedSkin& landmarked) {
-    BoneOf(landmarked.skin, body).bind.p_TB_m.x += kShift_m;
-  };
+  return
+      [=](LandmarkedSkin& landmarked) { BoneOf(landmarked.skin, body).bind.p_TB_m.x += kShift_m; };
 }
 
 // Skin within 3 cm of a landmark of the right shoulder is drawn to a tenth of its distance.
@@ -139,6 +140,13 @@ ModelFault Inflated(double by_m) {
 
 ModelFault BodyMoved(const std::string& body) {
   return [=](mjModel& model) { model.body_pos[3 * IdOf(model, mjOBJ_BODY, body)] += kShift_m; };
+}
+
+ModelFault NotANumberAt(int vertex) {
+  return [=](mjModel& model) {
+    model.skin_vert[3 * static_cast<std::ptrdiff_t>(vertex)] =
+        std::numeric_limits<float>::quiet_NaN();
+  };
 }
 
 // --- The models ----------------------------------------------------------------------------------
@@ -242,6 +250,20 @@ TEST_F(WrongSkinTest, MakesEveryCheckedLineFail) {
     failed.insert(wrong.fails.begin(), wrong.fails.end());
   }
   EXPECT_EQ(failed, checked);
+}
+
+// Of a vertex that is nowhere only its bones are known, and how the skin elsewhere moves.
+TEST_F(WrongSkinTest, DoesNotPassOverAVertexThatIsNoNumber) {
+  WrongSkin wrong{"Nowhere", {}};
+  const std::vector<int>& acromion = ImplicitSkin().right[1];
+  wrong.model = NotANumberAt(acromion.front());
+  const std::vector<Residual> lines = Measure(wrong);
+  EXPECT_EQ(Failed(lines), kOffBlend + kPosed + kRises + kArea + kJumps + kDepth);
+  const auto posed = std::find_if(lines.begin(), lines.end(), [](const Residual& line) {
+    return line.item == "depth of landmarks, all poses";
+  });
+  ASSERT_NE(posed, lines.end());
+  EXPECT_TRUE(std::isnan(posed->value)) << posed->value;
 }
 
 }  // namespace
