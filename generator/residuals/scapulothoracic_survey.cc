@@ -450,10 +450,10 @@ std::string SurveyAsJson(const ScapulothoracicSurvey& survey) {
       row["measured"] = FiguresAsJson(position.measured_deg);
       row["difference"] = FiguresAsJson(position.difference_deg);
       row["difference_of_change"] = FiguresAsJson(position.change_difference_deg);
-      constexpr std::array<const char*, 2> kBorder = {"TS_to_ellipsoid_mm", "AI_to_ellipsoid_mm"};
-      for (std::size_t i = 0; i < kBorder.size(); ++i) {
+      for (std::size_t i = 0; i < kGlidingLandmarks.size(); ++i) {
         if (position.border_mm[i]) {
-          row[kBorder[i]] = *position.border_mm[i];
+          row[std::string(DefinitionOf(kGlidingLandmarks[i]).name) + "_to_ellipsoid_mm"] =
+              *position.border_mm[i];
         }
       }
     }

@@ -19,6 +19,7 @@
 #include <string_view>
 #include <vector>
 
+#include "anatomy/anatomy.h"
 #include "kinematics/shoulder_rhythm.h"
 #include "residuals/residual.h"
 #include "simulation/mapped_arm.h"
@@ -64,7 +65,8 @@ struct SurveyedPosition {
   GirdleFigures difference_deg{};
   /// The same of the change since the lowest position in the table of this plane.
   GirdleFigures change_difference_deg{};
-  std::array<std::optional<double>, 2> border_mm{};  ///< TS and AI from the ellipsoid, outside +
+  /// Of kGlidingLandmarks from the ellipsoid, outside +.
+  std::array<std::optional<double>, kGlidingLandmarks.size()> border_mm{};
   MappedPose pose;
   Quaternion measured_q_TS{1, 0, 0, 0};
 };
