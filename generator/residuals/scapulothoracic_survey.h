@@ -21,6 +21,7 @@
 
 #include "anatomy/anatomy.h"
 #include "kinematics/shoulder_rhythm.h"
+#include "kinematics/words.h"
 #include "residuals/residual.h"
 #include "simulation/mapped_arm.h"
 #include "simulation/mapped_shoulder.h"
@@ -46,6 +47,7 @@ inline constexpr std::array<std::string_view, kGirdleFigureCount> kGirdleFigureN
     "clavicle rotation",       "scapula orientation",  "scapula internal rotation",
     "scapula upward rotation", "scapula tilt",
 };
+constexpr const auto& WordsOf(GirdleFigure /*which*/) noexcept { return kGirdleFigureNames; }
 /// In the order of GirdleFigure; nothing where the mapping does not tell.
 using GirdleFigures = std::array<std::optional<double>, kGirdleFigureCount>;
 
