@@ -10,6 +10,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <new>
 #include <utility>
 
 #include "kinematics/rotation.h"
@@ -152,7 +153,7 @@ ModelPointer CheckedCopy(const mjModel& model, const std::string& name, const Vi
   }
   ModelPointer copy(mj_copyModel(nullptr, &model));
   if (copy == nullptr) {
-    throw InputError("MuJoCo cannot copy the model: not enough memory");
+    throw std::bad_alloc();
   }
   copy->vis.global.offwidth = view.size.width;
   copy->vis.global.offheight = view.size.height;
