@@ -37,6 +37,13 @@ TEST(SkinArgument, BlamesTheOptionForASurfaceThatTheUserGave) {
   }
 }
 
+// A name that is longer than what a string holds without memory of its own.
+TEST(SkinArgument, LeavesNothingBehindOfASkinThatIsNotMade) {
+  EXPECT_THROW(static_cast<void>(SkinOf(WithLooseVertex("--skin person.obj"), {Side::kRight},
+                                        "a_skin_with_a_name_that_is_long.skn")),
+               InputError);
+}
+
 // Otherwise the program would tell people to mend what they never gave.
 TEST(SkinArgument, DoesNotBlameTheUserForTheBuiltInSurface) {
   try {
