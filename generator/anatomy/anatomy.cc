@@ -107,8 +107,7 @@ void ReadLandmarks(std::istream& in, const std::string& name, Anatomy& anatomy) 
   const std::size_t segment_column = csv.Column("segment");
   const VectorColumns position(csv, {"x_m", "y_m", "z_m"});
   while (const std::optional<std::size_t> row = rows.Next()) {
-    const std::string_view segment =
-        kSegmentNames[static_cast<std::size_t>(kLandmarks[*row].segment)];
+    const std::string_view segment = Name(kLandmarks[*row].segment);
     if (csv.Field(segment_column) != segment) {
       csv.Fail(std::string(kLandmarks[*row].name) + " is given in the frame of '" +
                std::string(csv.Field(segment_column)) + "', expected '" + std::string(segment) +
@@ -210,7 +209,7 @@ std::string LandmarksToCsv(const Anatomy& anatomy, const std::vector<std::string
   for (std::size_t i = 0; i < kLandmarkCount; ++i) {
     text += kLandmarks[i].name;
     text += ",";
-    text += kSegmentNames[static_cast<std::size_t>(kLandmarks[i].segment)];
+    text += Name(kLandmarks[i].segment);
     for (int axis = 0; axis < 3; ++axis) {
       text += ",";
       AppendNumber(text, anatomy.landmarks_m[i][axis]);

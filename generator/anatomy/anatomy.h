@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "kinematics/assembly.h"
+#include "kinematics/words.h"
 
 namespace girdle {
 
@@ -19,6 +20,7 @@ enum class Segment { kThorax, kClavicle, kScapula, kHumerus };
 inline constexpr std::size_t kSegmentCount = 4;
 inline constexpr std::array<std::string_view, kSegmentCount> kSegmentNames = {"thorax", "clavicle",
                                                                               "scapula", "humerus"};
+constexpr const auto& WordsOf(Segment /*which*/) noexcept { return kSegmentNames; }
 
 /// Bony landmarks, ISB abbreviations.
 enum class Landmark {
@@ -97,6 +99,7 @@ enum class LigamentName { kConoid, kTrapezoid };
 inline constexpr std::size_t kLigamentCount = 2;
 inline constexpr std::array<std::string_view, kLigamentCount> kLigamentNames = {"conoid",
                                                                                 "trapezoid"};
+constexpr const auto& WordsOf(LigamentName /*which*/) noexcept { return kLigamentNames; }
 
 /// A straight band from the clavicle to the scapula that pulls when it is longer than slack and
 /// never pushes.

@@ -66,9 +66,6 @@ constexpr Bone kBones[] = {
 };
 
 std::string_view NameOf(Landmark landmark) { return DefinitionOf(landmark).name; }
-std::string_view NameOf(Segment segment) {
-  return kSegmentNames[static_cast<std::size_t>(segment)];
-}
 
 std::optional<Landmark> LandmarkFromName(std::string_view name) {
   for (std::size_t i = 0; i < kLandmarkCount; ++i) {
@@ -184,14 +181,14 @@ class MeasuredLandmarks {
                 ". Give all landmarks in '" + std::string(kLaboratory) +
                 "', or each in the frame of its segment");
     }
-    const std::string_view own = NameOf(SegmentOf(landmark));
+    const std::string_view own = Name(SegmentOf(landmark));
     const std::optional<Segment> child = SegmentFrom(landmark);
-    if (is_lab || frame == own || (child && frame == NameOf(*child))) {
+    if (is_lab || frame == own || (child && frame == Name(*child))) {
       return;
     }
     csv_.Fail(std::string(NameOf(landmark)) + " is given in the frame '" + std::string(frame) +
               "', expected '" + std::string(own) + "'" +
-              (child ? " (or '" + std::string(NameOf(*child)) + "', whose origin it is)" : "") +
+              (child ? " (or '" + std::string(Name(*child)) + "', whose origin it is)" : "") +
               ", or '" + std::string(kLaboratory) + "' in every row");
   }
 
@@ -205,7 +202,7 @@ class MeasuredLandmarks {
         missing +=
             (missing.empty() ? "" : ", ") + std::string(NameOf(landmark)) +
             (landmark == Landmark::kPAC ? " (or AC)" : "") +
-            (is_lab_ ? "" : " in the frame '" + std::string(NameOf(SegmentOf(landmark))) + "'");
+            (is_lab_ ? "" : " in the frame '" + std::string(Name(SegmentOf(landmark))) + "'");
       }
     }
     if (!missing.empty()) {

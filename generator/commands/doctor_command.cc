@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <system_error>
@@ -174,9 +175,8 @@ void RemoveParts(const fs::path& copy) {
   }
 }
 
-void Install(const DoctorArguments& arguments) {
-  const fs::path package = ChosenPackage(arguments);
-  const fs::path plugin = Plugin(arguments);
+// The one MuJoCo of Python's package.
+FoundEngine EngineOf(const fs::path& package) {
   const std::vector<FoundEngine> engines = FindEngines({{package, ""}});
   std::error_code error;
   if (engines.size() != 1 || !fs::exists(package / "__init__.py", error)) {
@@ -184,41 +184,60 @@ void Install(const DoctorArguments& arguments) {
                      ": is not Python's package mujoco. Make it with pip install mujoco; in other "
                      "programs load the plugin with mj_loadPluginLibrary");
   }
+  return engines.front();
+}
+
+// Puts a copy of the plugin where it is to be, all of it at once, if it works there. Throws what
+// `attempt` throws, and returns what the system refuses; neither leaves a part of a copy.
+std::error_code CopyTried(const fs::path& plugin, const fs::path& copy,
+                          const std::function<void(const fs::path&)>& attempt) {
+  std::error_code error;
+  const fs::path part = copy.string() + "." + std::to_string(getpid()) + kPart;
+  fs::create_directories(copy.parent_path(), error);
+  if (!error) {
+    fs::copy_file(plugin, part, error);
+  }
+  if (!error) {
+    using enum fs::perms;
+    fs::permissions(part, owner_read | owner_write | group_read | others_read, error);
+  }
+  if (!error) {
+    try {
+      attempt(part);
+    } catch (const InputError&) {
+      unlink(part.c_str());
+      throw;
+    }
+    fs::rename(part, copy, error);
+  }
+  if (error) {
+    unlink(part.c_str());
+  }
+  return error;
+}
+
+void Install(const DoctorArguments& arguments) {
+  const fs::path package = ChosenPackage(arguments);
+  const fs::path plugin = Plugin(arguments);
+  const FoundEngine engine = EngineOf(package);
+  std::string verdict;
   const auto attempt = [&](const fs::path& file) {
-    const Trial trial = TryEngine(engines.front().file, file, Model());
+    const Trial trial = TryEngine(engine.file, file, Model());
     if (!trial.problem.empty()) {
       throw InputError(package.string() + ": MuJoCo " +
                        (trial.answer.empty() ? "?" : trial.answer) +
                        " does not work with the plugin, which is not installed: " + trial.problem);
     }
-    return "MuJoCo " + trial.answer + " works with it: `import mujoco` loads it from now on\n";
+    verdict = "MuJoCo " + trial.answer + " works with it: `import mujoco` loads it from now on\n";
   };
-  std::string verdict = attempt(plugin);
+  attempt(plugin);
   const fs::path copy = PluginCopy(package);
   RemoveParts(copy);
-  const bool is_there = fs::exists(fs::symlink_status(copy, error));
+  std::error_code ignored;
+  const bool is_there = fs::exists(fs::symlink_status(copy, ignored));
   const bool is_same = HaveTheSameBytes(plugin, copy);
   if (!is_same) {
-    const fs::path part = copy.string() + "." + std::to_string(getpid()) + kPart;
-    fs::create_directories(copy.parent_path(), error);
-    if (!error) {
-      fs::copy_file(plugin, part, error);
-    }
-    if (!error) {
-      using enum fs::perms;
-      fs::permissions(part, owner_read | owner_write | group_read | others_read, error);
-    }
-    if (!error) {
-      try {
-        verdict = attempt(part);
-      } catch (const InputError&) {
-        unlink(part.c_str());
-        throw;
-      }
-      fs::rename(part, copy, error);
-    }
-    if (error) {
-      unlink(part.c_str());
+    if (const std::error_code error = CopyTried(plugin, copy, attempt)) {
       throw InputError(
           copy.string() + ": cannot be written: " + error.message() +
           (NeedsRights(error.value())

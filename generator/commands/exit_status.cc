@@ -43,9 +43,9 @@ int ReportException(const std::exception_ptr& exception, std::ostream& out) {
     out << error.what() << "\n";
     return kBadInput;
   } catch (const std::bad_alloc&) {
-    out << "the memory is used up. Unless the input is larger than the memory, this is a fault of "
-           "Girdle. "
-        << kWhatToReport;
+    out << "the memory is used up. Give less at once, end other programs, or allow more (ulimit "
+           "-v)\n";
+    return kOutOfMemory;
   } catch (const std::exception& error) {
     out << "this is a fault of Girdle, not of the input: ";
     PrintType(error, out);

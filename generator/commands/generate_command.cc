@@ -115,7 +115,7 @@ struct FileNames {
   std::string landmarks;
 };
 FileNames NamesFor(const ShoulderModelOptions& options) {
-  const std::string side(kSidesNames[static_cast<std::size_t>(options.sides)]);
+  const std::string side(Name(options.sides));
   const std::string servos = options.actuation == Actuation::kPosition ? "_position" : "";
   const std::string model = "shoulder_" + side + servos;
   // A skin bears its model's name: nothing but the model itself, made anew, ever replaces it.

@@ -78,7 +78,7 @@ int Run(int argc, char** argv) {
   AddThoraxCommand(program);
   program.footer(
       "Exit status: 0 all is well, 1 a residual or check is outside its tolerance, 2 the command "
-      "line or a file cannot be used, 3 a fault of Girdle.\n"
+      "line or a file cannot be used, 3 a fault of Girdle, 4 the memory is used up.\n"
       "girdle VERB --help tells more, with examples.");
   RefuseEmptyWords(argc, argv);
   CheckVerb(program, argc, argv);

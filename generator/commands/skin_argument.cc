@@ -163,7 +163,10 @@ BoundSkin BoundTo(const ChosenBody& chosen, const std::vector<Side>& sides) {
 
 MadeSkin SkinOf(const ChosenBody& chosen, const std::vector<Side>& sides,
                 const std::string& file_name) {
-  MadeSkin made{{file_name, {}}, SknBytes(BoundTo(chosen, sides))};
+  // Not in braces: if the second part throws, GCC 12 destroys the first one twice.
+  MadeSkin made;
+  made.element.file = file_name;
+  made.bytes = SknBytes(BoundTo(chosen, sides));
   return OrBlame(chosen.source, [&] {
     for (const Side side : sides) {
       made.element.landmarks.push_back(FindSkinLandmarks(chosen.body, side));

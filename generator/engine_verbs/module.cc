@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <variant>
@@ -107,6 +108,40 @@ void ExpectRhythm(const LoadedShoulders& simulation, const RhythmChoice& said) {
   }
 }
 
+// The model asked for, watched on the side asked for, with the rhythm that it follows.
+ShoulderSimulation SimulationFor(const std::string& model_path, std::optional<Side> side,
+                                 const RhythmChoice& said) {
+  LoadedShoulders loaded(LoadModel(model_path), model_path);
+  ExpectRhythm(loaded, said);
+  if (side) {
+    loaded.Watch(*side);
+  }
+  const RhythmChoice choice = loaded.has_plugin() ? OwnChoice(loaded) : said;
+  AssembledRhythm own = AssembledOf(loaded, RhythmOf(loaded, Resolve(choice)));
+  return {std::move(loaded), std::move(own)};
+}
+
+// Refuses to write controls that say less than the model does.
+void ExpectControls(const ShoulderSimulation& simulation) {
+  if (simulation.has_plugin() && simulation.elements().rate_controls.front() >= 0) {
+    throw InputError(simulation.name() +
+                     ": feeds forward how fast its commands change (generate --rates), which "
+                     "controls of position servos cannot. Write --controls from a model made "
+                     "without --rates");
+  }
+}
+
+void AddTo(SimulationSummary& summary, const ShoulderState& state, const ShoulderRhythm& rhythm) {
+  ++summary.rows;
+  // The plugin's sensor does not say how much of an offset was left.
+  summary.clamped_rows += state.clamped || rhythm.Solve(state.command).clamped ? 1 : 0;
+  summary.worst_distance_deg =
+      WorseOf(summary.worst_distance_deg, DegreesFromRadians(state.distance_rad));
+  summary.duration_s = state.time_s;
+  summary.last_error_deg = LargestError_deg(state);
+  summary.worst_error_deg = WorseOf(summary.worst_error_deg, summary.last_error_deg);
+}
+
 SimulationSummary Simulate(const std::string& model_path, const std::string& plugin,
                            const MotionRequest& request, const RhythmChoice& rhythm,
                            const TextSink& trace, const TextSink& controls,
@@ -114,39 +149,27 @@ SimulationSummary Simulate(const std::string& model_path, const std::string& plu
   const Motion motion = RequestedMotion(request);
   const EngineWatch watch;
   LoadPlugin(plugin);
-  LoadedShoulders loaded(LoadModel(model_path), model_path);
-  ExpectRhythm(loaded, rhythm);
-  if (request.side) {
-    loaded.Watch(*request.side);
-  }
-  const RhythmChoice choice = loaded.has_plugin() ? OwnChoice(loaded) : rhythm;
-  AssembledRhythm own = AssembledOf(loaded, RhythmOf(loaded, Resolve(choice)));
-  ShoulderSimulation simulation(std::move(loaded), std::move(own));
-  const auto steps = static_cast<long>(std::lround(motion.duration_s / simulation.timestep_s()));
+  ShoulderSimulation simulation = SimulationFor(model_path, request.side, rhythm);
+  const double timestep_s = simulation.timestep_s();
+  const auto steps = static_cast<long>(std::lround(motion.duration_s / timestep_s));
   const auto command_at = [&](long step) {
-    return ReplayableCommand(motion.command(static_cast<double>(step) * simulation.timestep_s()));
+    return ReplayableCommand(motion.command(static_cast<double>(step) * timestep_s));
   };
   SimulationPictures drawn(simulation, pictures);
   simulation.Start(command_at(0));
   trace(TraceHeader(simulation.elements().assembly));
   if (controls) {
-    if (simulation.has_plugin() && simulation.elements().rate_controls.front() >= 0) {
-      throw InputError(model_path +
-                       ": feeds forward how fast its commands change (generate --rates), which "
-                       "controls of position servos cannot. Write --controls from a model made "
-                       "without --rates");
-    }
+    ExpectControls(simulation);
     controls(ControlsHeader(simulation.TargetNames()));
   }
   SimulationSummary summary;
   std::string row;
   for (long step = 0; step <= steps; ++step) {
     // The last state has no step after it.
-    const double time_s = static_cast<double>(step) * simulation.timestep_s();
+    const double time_s = static_cast<double>(step) * timestep_s;
     const ShoulderState state =
-        step < steps
-            ? simulation.Step(command_at(step), RateOf(motion, time_s, simulation.timestep_s()))
-            : simulation.Observe(command_at(step));
+        step < steps ? simulation.Step(command_at(step), RateOf(motion, time_s, timestep_s))
+                     : simulation.Observe(command_at(step));
     row.clear();
     AppendTraceRow(row, state);
     trace(row);
@@ -156,15 +179,7 @@ SimulationSummary Simulate(const std::string& model_path, const std::string& plu
       AppendControlsRow(row, state.time_s, simulation.Targets());
       controls(row);
     }
-    ++summary.rows;
-    // The plugin's sensor does not say how much of an offset was left.
-    summary.clamped_rows +=
-        state.clamped || simulation.rhythm().rhythm().Solve(state.command).clamped ? 1 : 0;
-    summary.worst_distance_deg =
-        WorseOf(summary.worst_distance_deg, DegreesFromRadians(state.distance_rad));
-    summary.duration_s = state.time_s;
-    summary.last_error_deg = LargestError_deg(state);
-    summary.worst_error_deg = WorseOf(summary.worst_error_deg, summary.last_error_deg);
+    AddTo(summary, state, simulation.rhythm().rhythm());
     progress(static_cast<double>(step) / static_cast<double>(std::max(steps, 1L)));
   }
   summary.frames = drawn.Finish();

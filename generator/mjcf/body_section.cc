@@ -70,7 +70,7 @@ void WriteLandmarks(const ModelPlan& plan, XmlElement& body, Segment segment, Si
 }
 
 void WriteLigamentEnds(const ModelPlan& plan, XmlElement& body, Segment segment, Side side) {
-  const std::string_view bone = kSegmentNames[static_cast<std::size_t>(segment)];
+  const std::string_view bone = Name(segment);
   for (std::size_t i = 0; i < kLigamentCount; ++i) {
     const Ligament& ligament = plan.anatomy.ligaments[i];
     if (segment == Segment::kClavicle || segment == Segment::kScapula) {
@@ -133,7 +133,7 @@ void WriteGlidingPoints(const ModelPlan& plan, XmlElement& scapula, Side side) {
 // that hangs from the thorax by three slides as well.
 XmlElement WriteBone(const ModelPlan& plan, XmlElement& parent, Segment segment, std::size_t joint,
                      const Vector3& p_m, Side side) {
-  const std::string name = SidedName(kSegmentNames[static_cast<std::size_t>(segment)], side);
+  const std::string name = SidedName(Name(segment), side);
   const Vector3 reference_rad{plan.rest_rad[3 * joint], plan.rest_rad[3 * joint + 1],
                               plan.rest_rad[3 * joint + 2]};
   const Quaternion reference = QuaternionFromEuler(kJointSequences[joint], reference_rad);

@@ -33,7 +33,7 @@ void WriteInstance(const ModelPlan& plan, XmlElement plugin, Side side) {
     configure(kTranslationStiffnessKey, NumberText(kLeadingTranslation.stiffness_N_per_m));
   }
   if (side == Side::kLeft) {
-    configure(kSideKey, kSideNames[static_cast<std::size_t>(side)]);
+    configure(kSideKey, Name(side));
   }
   if (!plan.options.table) {
     configure(kTableKey, RhythmTableToLine(plan.rhythm().table()));

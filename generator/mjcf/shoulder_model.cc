@@ -32,9 +32,7 @@ void WriteComments(const ModelPlan& plan, XmlElement root) {
       (plan.options.table  ? std::string(Name(*plan.options.table)) + " (Ludewig et al. 2009)"
        : plan.has_plugin() ? "in the plugin's configuration"
                            : "the user's own") +
-      (is_loop ? ", assembly loop, the " +
-                     std::string(kLeadNames[static_cast<std::size_t>(plan.options.lead)]) + " leads"
-               : ""));
+      (is_loop ? ", assembly loop, the " + std::string(Name(plan.options.lead)) + " leads" : ""));
   root.AddComment("A joint coordinate is the measured Euler angle [rad]: SC and " +
                   std::string(is_loop ? "ST" : "AC") + " Y-X'-Z'', GH X-Z'-Y'', ISB frames" +
                   (is_loop ? "; the slides are PAC's place [m]" : "") +
@@ -60,7 +58,7 @@ std::string ShoulderModelXml(const Anatomy& anatomy, const ShoulderRhythm& rhyth
   const ModelPlan plan(anatomy, rhythm, options);
   XmlFile file("mujoco");
   XmlElement root = file.root();
-  root.Set("model", "girdle " + std::string(kSidesNames[static_cast<std::size_t>(options.sides)]) +
+  root.Set("model", "girdle " + std::string(Name(options.sides)) +
                         (plan.sides.size() > 1 ? " shoulders" : " shoulder"));
   WriteComments(plan, root);
   root.Add("compiler").Set("angle", "radian");

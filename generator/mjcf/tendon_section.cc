@@ -25,7 +25,7 @@ void WriteLigaments(const ModelPlan& plan, XmlElement root) {
               .Set("range", std::array{0.0, RoundedLength_m(plan.slack_m[i] +
                                                             ligament.failure_elongation_m)});
       for (const Segment segment : {Segment::kClavicle, Segment::kScapula}) {
-        const std::string_view bone = kSegmentNames[static_cast<std::size_t>(segment)];
+        const std::string_view bone = Name(segment);
         spatial.Add("site").Set("site", SidedName(LigamentEndName(kLigamentNames[i], bone), side));
       }
     }

@@ -10,6 +10,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <new>
 #include <utility>
 
 #include "kinematics/rotation.h"
@@ -119,6 +120,62 @@ std::string Joined(const std::vector<std::string>& words) {
   return text;
 }
 
+// A box around what is shown of the bodies where the model starts and in all its keyframes; where
+// nothing is shown, around what MuJoCo takes for the middle of the model. Uses the scene.
+Box BoxOfKeyframes(const mjModel& model, const mjvOption& option, mjvCamera& camera,
+                   mjvScene& scene) {
+  Box box;
+  const DataPointer data = MakeData(model);
+  for (int key = -1; key < model.nkey; ++key) {
+    if (key >= 0) {
+      mj_resetDataKeyframe(&model, data.get(), key);
+    }
+    mj_fwdPosition(&model, data.get());
+    for (int geom = 0; geom < model.ngeom; ++geom) {
+      if (model.geom_bodyid[geom] != 0 && option.geomgroup[GroupOf(model, geom)] != 0) {
+        AddGeom(model, *data, geom, box);
+      }
+    }
+    if (option.flags[mjVIS_SKIN] != 0 && model.nskin > 0) {
+      // MuJoCo has no other function for it that does not warn.
+      mjv_updateScene(&model, data.get(), &option, nullptr, &camera, mjCAT_ALL, &scene);
+      for (mjtSize vertex = 0; vertex < model.nskinvert; ++vertex) {
+        const float* const p = scene.skinvert + 3 * vertex;
+        box.Add({p[0], p[1], p[2]});
+      }
+    }
+  }
+  if (box.is_empty()) {
+    const mjtNum* const p = model.stat.center;
+    for (const double half_m : {-model.stat.extent / 2, model.stat.extent / 2}) {
+      box.Add(Vector3{p[0], p[1], p[2]} + half_m);
+    }
+  }
+  return box;
+}
+
+// From how far away [m], seen along a direction, all corners of a box are in the picture; the angle
+// is that from its bottom to its top.
+double DistanceToSee_m(const Box& box, const Direction& from, double field_of_view_deg,
+                       const PictureSize& size) {
+  const double azimuth_rad = RadiansFromDegrees(from.azimuth_deg);
+  const double elevation_rad = RadiansFromDegrees(from.elevation_deg);
+  const Vector3 level{std::cos(azimuth_rad), std::sin(azimuth_rad), 0};
+  const Vector3 forward = std::cos(elevation_rad) * level + Vector3{0, 0, std::sin(elevation_rad)};
+  const Vector3 up = -std::sin(elevation_rad) * level + Vector3{0, 0, std::cos(elevation_rad)};
+  const Vector3 right = glm::cross(forward, up);
+  const double tangent_up = std::tan(RadiansFromDegrees(field_of_view_deg) / 2);
+  const double tangent_right = tangent_up * size.width / size.height;
+  double distance_m = 0;
+  for (int corner = 0; corner < kCorners; ++corner) {
+    const Vector3 p_m = 0.5 * CornerSigns(corner) * box.size_m();
+    distance_m = std::max({distance_m,
+                           std::abs(glm::dot(p_m, right)) / tangent_right - glm::dot(p_m, forward),
+                           std::abs(glm::dot(p_m, up)) / tangent_up - glm::dot(p_m, forward)});
+  }
+  return distance_m;
+}
+
 }  // namespace
 
 std::vector<std::string> CameraNames(const mjModel& model) {
@@ -152,7 +209,7 @@ ModelPointer CheckedCopy(const mjModel& model, const std::string& name, const Vi
   }
   ModelPointer copy(mj_copyModel(nullptr, &model));
   if (copy == nullptr) {
-    throw InputError("MuJoCo cannot copy the model: not enough memory");
+    throw std::bad_alloc();
   }
   copy->vis.global.offwidth = view.size.width;
   copy->vis.global.offheight = view.size.height;
@@ -211,58 +268,15 @@ FrameRenderer::~FrameRenderer() {
 
 // Looks at the middle of a box around all that the bodies do, from where its corners are in view.
 void FrameRenderer::AimFrom(std::size_t direction) {
-  Box box;
-  const DataPointer data = MakeData(*model_);
-  for (int key = -1; key < model_->nkey; ++key) {
-    if (key >= 0) {
-      mj_resetDataKeyframe(model_.get(), data.get(), key);
-    }
-    mj_fwdPosition(model_.get(), data.get());
-    for (int geom = 0; geom < model_->ngeom; ++geom) {
-      if (model_->geom_bodyid[geom] != 0 && option_.geomgroup[GroupOf(*model_, geom)] != 0) {
-        AddGeom(*model_, *data, geom, box);
-      }
-    }
-    if (option_.flags[mjVIS_SKIN] != 0 && model_->nskin > 0) {
-      // MuJoCo has no other function for it that does not warn.
-      mjv_updateScene(model_.get(), data.get(), &option_, nullptr, &camera_, mjCAT_ALL,
-                      scene_.get());
-      for (mjtSize vertex = 0; vertex < model_->nskinvert; ++vertex) {
-        const float* const p = scene_->skinvert + 3 * vertex;
-        box.Add({p[0], p[1], p[2]});
-      }
-    }
-  }
-  if (box.is_empty()) {
-    const mjtNum* const p = model_->stat.center;
-    for (const double half_m : {-model_->stat.extent / 2, model_->stat.extent / 2}) {
-      box.Add(Vector3{p[0], p[1], p[2]} + half_m);
-    }
-  }
-
+  const Box box = BoxOfKeyframes(*model_, option_, camera_, *scene_);
   Direction from = kDirections[direction];
   if (direction == kOblique && IsLeftAlone(*model_)) {
     from.azimuth_deg = -from.azimuth_deg;
   }
-  const double azimuth_rad = RadiansFromDegrees(from.azimuth_deg);
-  const double elevation_rad = RadiansFromDegrees(from.elevation_deg);
-  const Vector3 level{std::cos(azimuth_rad), std::sin(azimuth_rad), 0};
-  const Vector3 forward = std::cos(elevation_rad) * level + Vector3{0, 0, std::sin(elevation_rad)};
-  const Vector3 up = -std::sin(elevation_rad) * level + Vector3{0, 0, std::cos(elevation_rad)};
-  const Vector3 right = glm::cross(forward, up);
-  const double tangent_up = std::tan(RadiansFromDegrees(model_->vis.global.fovy) / 2);
-  const double tangent_right = tangent_up * view_.size.width / view_.size.height;
-  double distance_m = 0;
-  for (int corner = 0; corner < kCorners; ++corner) {
-    const Vector3 p_m = 0.5 * CornerSigns(corner) * box.size_m();
-    distance_m = std::max({distance_m,
-                           std::abs(glm::dot(p_m, right)) / tangent_right - glm::dot(p_m, forward),
-                           std::abs(glm::dot(p_m, up)) / tangent_up - glm::dot(p_m, forward)});
-  }
   constexpr double kMargin = 1.05;
   camera_.azimuth = from.azimuth_deg;
   camera_.elevation = from.elevation_deg;
-  camera_.distance = kMargin * distance_m;
+  camera_.distance = kMargin * DistanceToSee_m(box, from, model_->vis.global.fovy, view_.size);
   for (int k = 0; k < 3; ++k) {
     camera_.lookat[k] = box.center_m()[k];
   }

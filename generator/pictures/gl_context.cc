@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "kinematics/words.h"
 #include "text/input_error.h"
 
 // Types alone: the functions come from the library that is opened, and X11 is not wanted.
@@ -28,6 +29,10 @@ enum class GlPlatform {
   kEglSurfaceless,
   kOsMesa,
 };
+// For people, in the order of the enumerators.
+constexpr std::array<std::string_view, 3> kPlatformNames = {"EGL device", "EGL surfaceless",
+                                                            "OSMesa"};
+constexpr const auto& WordsOf(GlPlatform /*which*/) noexcept { return kPlatformNames; }
 
 }  // namespace
 
@@ -51,9 +56,6 @@ class GlLibrary {
 
 namespace {
 
-// For people, in the order of the enumerators.
-constexpr std::array<std::string_view, 3> kPlatformNames = {"EGL device", "EGL surfaceless",
-                                                            "OSMesa"};
 constexpr const char* kInstall =
     "apt-get install libegl1 libgl1-mesa-dri, or: apt-get install libosmesa6";
 
@@ -380,7 +382,7 @@ std::string GlContext::Description() const {
   const auto get_string = reinterpret_cast<GetString>(library_.Function("glGetString"));
   const unsigned char* const renderer =
       MakeCurrent() && get_string != nullptr ? get_string(kRenderer) : nullptr;
-  return std::string(kPlatformNames[static_cast<std::size_t>(library_.platform())]) +
+  return std::string(Name(library_.platform())) +
          (renderer == nullptr ? "" : ", " + std::string(reinterpret_cast<const char*>(renderer)));
 }
 

@@ -18,6 +18,7 @@
 
 #include "anatomy/posed_bones.h"
 #include "kinematics/lengths.h"
+#include "names/side.h"
 #include "residuals/extreme.h"
 #include "residuals/residual_groups.h"
 #include "residuals/shown_angles.h"
@@ -100,10 +101,9 @@ class BonesGroup : public ResidualGroup {
       const Vector3 center_m{p_m[0], p_m[1], p_m[2]};
       const bool is_thorax = i == static_cast<std::size_t>(Segment::kThorax);
       centers_mm_.Add(
-          kMillimetersPerMeter *
-              glm::distance(
-                  elements.side == Side::kLeft ? Mirrored(center_m) : center_m,
-                  is_thorax ? OnThorax(inertia.center_of_mass_m) : inertia.center_of_mass_m),
+          kMillimetersPerMeter * glm::distance(OnSide(elements.side, center_m),
+                                               is_thorax ? OnThorax(inertia.center_of_mass_m)
+                                                         : inertia.center_of_mass_m),
           name, command);
       inertias_kg_m2_.Add(InertiaOff_kg_m2(model, body, inertia.inertia_kg_m2), name, command);
     }

@@ -46,7 +46,7 @@ class GlidingGroup : public ResidualGroup {
     if (pose.kind != PoseKind::kAtTargets) {
       return;
     }
-    for (const Landmark landmark : {Landmark::kTS, Landmark::kAI}) {
+    for (const Landmark landmark : kGlidingLandmarks) {
       (pose.state.distance_rad > 0 ? modelled_mm_ : measured_mm_)
           .Add(kMillimetersPerMeter *
                    DistanceFromEllipsoid(ellipsoid_,

@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "kinematics/words.h"
+
 namespace girdle {
 
 /// Which values of a line pass.
@@ -19,6 +21,7 @@ enum class Bound {
 };
 /// Words for them, in the order of the enumerators.
 inline constexpr std::array<std::string_view, 2> kBoundNames = {"at most", "more than"};
+constexpr const auto& WordsOf(Bound /*which*/) noexcept { return kBoundNames; }
 
 /// One line of the report.
 struct Residual {

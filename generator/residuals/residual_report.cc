@@ -72,7 +72,7 @@ std::string ReportAsJson(const ResidualReport& report) {
     line["value"] = residual.value;
     line["unit"] = residual.unit;
     line["tolerance"] = residual.tolerance ? nlohmann::ordered_json(*residual.tolerance) : nullptr;
-    line["bound"] = kBoundNames[static_cast<std::size_t>(residual.bound)];
+    line["bound"] = Name(residual.bound);
     line["follows"] = residual.follows;
     line["passed"] = residual.passed();
     line["where"] = residual.where;

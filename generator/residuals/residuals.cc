@@ -55,7 +55,7 @@ ResidualReport MeasureResiduals(ShoulderSimulation& simulation, const AssembledR
         });
     for (Residual& line : lines) {
       if (sides > 1) {
-        line.item += ", " + std::string(kSideNames[static_cast<std::size_t>(side)]);
+        line.item += ", " + std::string(Name(side));
       }
       report.residuals.push_back(std::move(line));
     }

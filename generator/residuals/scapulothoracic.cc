@@ -27,7 +27,10 @@ constexpr double kPublishedStWorst_deg = 2.6;
 
 class ScapulothoracicGroup : public ResidualGroup {
  public:
-  explicit ScapulothoracicGroup(const MeasuredShoulder& shoulder) : is_loop_(shoulder.is_loop()) {}
+  explicit ScapulothoracicGroup(const MeasuredShoulder& shoulder)
+      : is_loop_(shoulder.is_loop()),
+        is_published_(
+            shoulder.rhythm.rhythm().table().position(0, 0).scapulothoracic_rad.has_value()) {}
 
   void TakePose(const ShownPose& pose) override {
     if (pose.kind != PoseKind::kAtTargets || pose.position == nullptr ||
@@ -43,8 +46,8 @@ class ScapulothoracicGroup : public ResidualGroup {
   }
 
   void AddLines(std::vector<Residual>& lines) override {
-    if (published_deg_.empty()) {
-      return;  // the table has no published ST
+    if (!is_published_) {
+      return;
     }
     const auto tolerance = [this](double of_tree_deg) {
       return is_loop_ ? std::nullopt : std::optional(of_tree_deg);
@@ -59,6 +62,7 @@ class ScapulothoracicGroup : public ResidualGroup {
 
  private:
   bool is_loop_;
+  bool is_published_;  ///< whether the table says where ST was
   Extreme published_deg_;
 };
 

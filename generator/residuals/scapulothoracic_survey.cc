@@ -277,6 +277,81 @@ void PutChanges(double lowest_deg, std::vector<SurveyedPosition>& positions) {
   }
 }
 
+// Plane by plane.
+std::vector<SurveyedPosition> VisitAll(Surveyor& surveyor, const SurveyGrid& grid,
+                                       const ProgressSink& progress) {
+  std::vector<SurveyedPosition> positions;
+  const std::size_t asked = grid.planes_deg.size() * grid.elevations_deg.size();
+  for (const double plane_deg : grid.planes_deg) {
+    for (const double elevation_deg : grid.elevations_deg) {
+      positions.push_back(surveyor.Visit(elevation_deg, plane_deg));
+      progress(static_cast<double>(positions.size()) / static_cast<double>(asked));
+    }
+  }
+  return positions;
+}
+
+// How many positions the arm misses, and why the first. Throws InputError if it misses all.
+Residual PositionsNotReached(const std::vector<SurveyedPosition>& positions) {
+  const auto is_missed = [](const SurveyedPosition& position) {
+    return !position.not_reached.empty();
+  };
+  const auto first = std::find_if(positions.begin(), positions.end(), is_missed);
+  const auto count = std::count_if(positions.begin(), positions.end(), is_missed);
+  const std::string asked = std::to_string(positions.size());
+  if (count == std::ssize(positions)) {
+    throw InputError("the arm reaches none of the " + asked + " positions; at " +
+                     PlaceText(AskedOf(*first)) + " " + first->not_reached +
+                     ". Correct the rows of the arm in the mapping");
+  }
+  std::string where = "of " + asked;
+  if (count > 0) {
+    where += "; " + PlaceText(AskedOf(*first)) + ": " + first->not_reached;
+  }
+  return {"arm", "positions not reached", static_cast<double>(count), "-", std::nullopt, where};
+}
+
+// What the positions reached come to.
+struct SurveySpreads {
+  GroupSpreads in_table;
+  GroupSpreads changes;  ///< since the lowest position of each plane
+  GroupSpreads beyond;   ///< the table
+  Spread elevation_deg;  ///< reached - asked, in the table
+  Spread plane_deg;
+};
+
+SurveySpreads SpreadsOf(const std::vector<SurveyedPosition>& positions) {
+  SurveySpreads spreads;
+  for (const SurveyedPosition& position : positions) {
+    if (!position.not_reached.empty()) {
+      continue;
+    }
+    const ArmCommand asked = AskedOf(position);
+    GroupSpreads& group = position.is_in_table ? spreads.in_table : spreads.beyond;
+    for (std::size_t i = 0; i < kGirdleFigureCount; ++i) {
+      if (position.difference_deg[i]) {
+        group.figures[i].Add(*position.difference_deg[i], asked);
+      }
+      if (position.change_difference_deg[i]) {
+        spreads.changes.figures[i].Add(*position.change_difference_deg[i], asked);
+      }
+    }
+    for (const std::optional<double>& border_mm : position.border_mm) {
+      if (border_mm) {
+        group.border.Add(*border_mm, asked);
+      }
+    }
+    if (position.is_in_table) {
+      spreads.elevation_deg.Add(
+          DegreesFromRadians(position.reached.elevation_rad - position.asked_elevation_rad), asked);
+      spreads.plane_deg.Add(AngleDifference_deg(DegreesFromRadians(position.reached.plane_rad),
+                                                DegreesFromRadians(position.asked_plane_rad)),
+                            asked);
+    }
+  }
+  return spreads;
+}
+
 std::string Whole(double value) { return RoundedText(value, 0); }
 
 // "turns upward by 28 degrees" from one position to another.
@@ -354,76 +429,24 @@ ScapulothoracicSurvey SurveyGirdle(MappedArm& arm, const MappedShoulder& shoulde
                                    const SurveyGrid& grid, const ProgressSink& progress) {
   ScapulothoracicSurvey survey;
   Surveyor surveyor(arm, shoulder, rhythm, ellipsoid);
-  const std::size_t asked = grid.planes_deg.size() * grid.elevations_deg.size();
-  for (const double plane_deg : grid.planes_deg) {
-    for (const double elevation_deg : grid.elevations_deg) {
-      survey.positions.push_back(surveyor.Visit(elevation_deg, plane_deg));
-      progress(static_cast<double>(survey.positions.size()) / static_cast<double>(asked));
-    }
-  }
-  const auto missed =
-      std::find_if(survey.positions.begin(), survey.positions.end(),
-                   [](const SurveyedPosition& position) { return !position.not_reached.empty(); });
-  const auto missed_count =
-      std::count_if(survey.positions.begin(), survey.positions.end(),
-                    [](const SurveyedPosition& position) { return !position.not_reached.empty(); });
-  if (static_cast<std::size_t>(missed_count) == asked) {
-    throw InputError("the arm reaches none of the " + std::to_string(asked) + " positions; at " +
-                     PlaceText(AskedOf(*missed)) + " " + missed->not_reached +
-                     ". Correct the rows of the arm in the mapping");
-  }
+  survey.positions = VisitAll(surveyor, grid, progress);
+  const Residual missed = PositionsNotReached(survey.positions);
   const double lowest_deg = LowestElevation_deg(grid);
   PutChanges(lowest_deg, survey.positions);
+  const SurveySpreads spreads = SpreadsOf(survey.positions);
 
-  GroupSpreads in_table;
-  GroupSpreads changes;
-  GroupSpreads beyond;
-  Spread elevation;
-  Spread plane;
-  for (const SurveyedPosition& position : survey.positions) {
-    if (!position.not_reached.empty()) {
-      continue;
-    }
-    GroupSpreads& spreads = position.is_in_table ? in_table : beyond;
-    for (std::size_t i = 0; i < kGirdleFigureCount; ++i) {
-      if (position.difference_deg[i]) {
-        spreads.figures[i].Add(*position.difference_deg[i], AskedOf(position));
-      }
-      if (position.change_difference_deg[i]) {
-        changes.figures[i].Add(*position.change_difference_deg[i], AskedOf(position));
-      }
-    }
-    for (const std::optional<double>& border_mm : position.border_mm) {
-      if (border_mm) {
-        spreads.border.Add(*border_mm, AskedOf(position));
-      }
-    }
-    if (position.is_in_table) {
-      elevation.Add(
-          DegreesFromRadians(position.reached.elevation_rad - position.asked_elevation_rad),
-          AskedOf(position));
-      plane.Add(AngleDifference_deg(DegreesFromRadians(position.reached.plane_rad),
-                                    DegreesFromRadians(position.asked_plane_rad)),
-                AskedOf(position));
-    }
-  }
-
-  std::vector<Residual>& lines = survey.report.residuals;
   survey.report.engine = mj_versionString();
+  std::vector<Residual>& lines = survey.report.residuals;
   surveyor.AppendChecks(lines);
-  lines.push_back(
-      {"arm", "positions not reached", static_cast<double>(missed_count), "-", std::nullopt,
-       missed_count == 0 ? "of " + std::to_string(asked)
-                         : "of " + std::to_string(asked) + "; " + PlaceText(AskedOf(*missed)) +
-                               ": " + missed->not_reached});
-  AppendTo(lines, elevation, "arm", "elevation reached - asked", "deg");
-  AppendTo(lines, plane, "arm", "plane reached - asked", "deg");
-  in_table.AppendTo(lines, "scapulothoracic");
-  changes.AppendTo(lines, "since elevation " + RoundedText(lowest_deg, 1));
-  beyond.AppendTo(lines, "beyond the table");
-  survey.sentence =
-      SentenceOf(survey.positions, lowest_deg, in_table.figures[Index(GirdleFigure::kScapula)],
-                 in_table.figures[Index(GirdleFigure::kUpwardRotation)]);
+  lines.push_back(missed);
+  AppendTo(lines, spreads.elevation_deg, "arm", "elevation reached - asked", "deg");
+  AppendTo(lines, spreads.plane_deg, "arm", "plane reached - asked", "deg");
+  spreads.in_table.AppendTo(lines, "scapulothoracic");
+  spreads.changes.AppendTo(lines, "since elevation " + RoundedText(lowest_deg, 1));
+  spreads.beyond.AppendTo(lines, "beyond the table");
+  survey.sentence = SentenceOf(survey.positions, lowest_deg,
+                               spreads.in_table.figures[Index(GirdleFigure::kScapula)],
+                               spreads.in_table.figures[Index(GirdleFigure::kUpwardRotation)]);
   return survey;
 }
 
@@ -450,10 +473,10 @@ std::string SurveyAsJson(const ScapulothoracicSurvey& survey) {
       row["measured"] = FiguresAsJson(position.measured_deg);
       row["difference"] = FiguresAsJson(position.difference_deg);
       row["difference_of_change"] = FiguresAsJson(position.change_difference_deg);
-      constexpr std::array<const char*, 2> kBorder = {"TS_to_ellipsoid_mm", "AI_to_ellipsoid_mm"};
-      for (std::size_t i = 0; i < kBorder.size(); ++i) {
+      for (std::size_t i = 0; i < kGlidingLandmarks.size(); ++i) {
         if (position.border_mm[i]) {
-          row[kBorder[i]] = *position.border_mm[i];
+          row[std::string(DefinitionOf(kGlidingLandmarks[i]).name) + "_to_ellipsoid_mm"] =
+              *position.border_mm[i];
         }
       }
     }

@@ -19,7 +19,9 @@
 #include <string_view>
 #include <vector>
 
+#include "anatomy/anatomy.h"
 #include "kinematics/shoulder_rhythm.h"
+#include "kinematics/words.h"
 #include "residuals/residual.h"
 #include "simulation/mapped_arm.h"
 #include "simulation/mapped_shoulder.h"
@@ -45,6 +47,7 @@ inline constexpr std::array<std::string_view, kGirdleFigureCount> kGirdleFigureN
     "clavicle rotation",       "scapula orientation",  "scapula internal rotation",
     "scapula upward rotation", "scapula tilt",
 };
+constexpr const auto& WordsOf(GirdleFigure /*which*/) noexcept { return kGirdleFigureNames; }
 /// In the order of GirdleFigure; nothing where the mapping does not tell.
 using GirdleFigures = std::array<std::optional<double>, kGirdleFigureCount>;
 
@@ -64,7 +67,8 @@ struct SurveyedPosition {
   GirdleFigures difference_deg{};
   /// The same of the change since the lowest position in the table of this plane.
   GirdleFigures change_difference_deg{};
-  std::array<std::optional<double>, 2> border_mm{};  ///< TS and AI from the ellipsoid, outside +
+  /// Of kGlidingLandmarks from the ellipsoid, outside +.
+  std::array<std::optional<double>, kGlidingLandmarks.size()> border_mm{};
   MappedPose pose;
   Quaternion measured_q_TS{1, 0, 0, 0};
 };

@@ -378,21 +378,17 @@ void SkinMeter::AddJumps(std::vector<Residual>& lines, Direction direction) {
 void SkinMeter::AddDepths(std::vector<Residual>& lines) const {
   const auto shallowest = [this](const ShoulderPose& pose) {
     const LandmarkDepths depths_m = LandmarkDepths_m(on_bones_, pose, side_);
-    const auto* const least = std::min_element(depths_m.begin(), depths_m.end());
-    return std::pair(
-        kMillimetersPerMeter * *least,
-        std::string(kLandmarks[static_cast<std::size_t>(least - depths_m.begin())].name));
+    WorstCase<std::string, Worse::kSmaller> least_mm;
+    for (std::size_t i = 0; i < depths_m.size(); ++i) {
+      least_mm.Add(kMillimetersPerMeter * depths_m[i], kLandmarks[i].name);
+    }
+    return least_mm;
   };
-  const auto [bound_mm, bound_name] = shallowest(bind_);
-  lines.push_back({kGroup, "depth of landmarks, bind pose", bound_mm, "mm", kDepth_mm, bound_name,
-                   Bound::kMoreThan});
+  const auto bound_mm = shallowest(bind_);
+  lines.push_back({kGroup, "depth of landmarks, bind pose", bound_mm.value(), "mm", kDepth_mm,
+                   bound_mm.place(), Bound::kMoreThan});
 
-  Residual posed{kGroup,
-                 "depth of landmarks, all poses",
-                 std::numeric_limits<double>::infinity(),
-                 "mm",
-                 std::nullopt,
-                 ""};
+  WorstCase<ReportPlace, Worse::kSmaller> posed_mm;
   const ArmRectangle& domain = rhythm_.rhythm().domain();
   for (const double elevation_rad :
        EvenSteps(domain.lowest_elevation_rad, domain.highest_elevation_rad, kGrid_rad)) {
@@ -402,14 +398,13 @@ void SkinMeter::AddDepths(std::vector<Residual>& lines) const {
       if (solution.used.elevation_rad != elevation_rad || solution.used.plane_rad != plane_rad) {
         continue;  // beyond what an arm reaches: another place of the grid answers for it
       }
-      const auto [depth_mm, name] = shallowest(PoseFor(solution.used));
-      if (depth_mm < posed.value) {
-        posed.value = depth_mm;
-        posed.where = PlaceOf(name, solution.used);
-      }
+      const auto least_mm = shallowest(PoseFor(solution.used));
+      posed_mm.Add(least_mm.value(), least_mm.place(), solution.used);
     }
   }
-  lines.push_back(std::move(posed));
+  const ReportPlace& place = posed_mm.place();
+  lines.push_back({kGroup, "depth of landmarks, all poses", posed_mm.value(), "mm", std::nullopt,
+                   PlaceOf(place.motion, place.command)});
 }
 
 }  // namespace girdle

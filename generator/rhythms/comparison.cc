@@ -14,8 +14,17 @@ namespace {
 constexpr std::array<double, 3> kRatioPlanes_deg = {0, 40, 90};
 constexpr std::array<double, 5> kRatioElevations_deg = {60, 90, 120, 150, 180};
 
+// So near to hanging or straight up an arm has no plane. Of a radian: rounding of typed degrees.
+constexpr double kWithoutPlane_rad = 1e-9;
+
 // Below this a scapula stands still: far above rounding, far below what can be measured.
 constexpr double kStill_rad = 1e-9;
+
+std::optional<double> PlaneOf(const ArmCommand& place) {
+  return std::abs(std::sin(place.elevation_rad)) < kWithoutPlane_rad
+             ? std::nullopt
+             : std::optional(place.plane_rad);
+}
 
 Vector3 AnglesOf(const Quaternion& q_AB) { return EulerFromQuaternion(EulerSequence::kYXZ, q_AB); }
 
@@ -36,7 +45,7 @@ class Extremes {
     for (std::size_t k = 0; k < kDifferenceCount; ++k) {
       if (const WorstCase<ArmCommand>& extreme = extremes_[k]; !extreme.empty()) {
         summaries[k] = {extreme.rms(), extreme.value(), extreme.place().elevation_rad,
-                        extreme.place().plane_rad};
+                        PlaneOf(extreme.place())};
       }
     }
     return summaries;

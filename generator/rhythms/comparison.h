@@ -73,9 +73,10 @@ struct MapPosition {
 /// A difference over many positions, each counted once. All in radians.
 struct DifferenceSummary {
   double rms_rad = 0;
-  double largest_rad = 0;  ///< the one of largest magnitude, with its sign
-  double elevation_rad = 0;
-  double plane_rad = 0;  ///< where it is
+  double largest_rad = 0;    ///< the one of largest magnitude, with its sign
+  double elevation_rad = 0;  ///< where it is
+  /// Nothing at elevations 0 and 180, where the plane of an arm has no meaning.
+  std::optional<double> plane_rad = std::nullopt;
 };
 
 /// In the order of ComparedAngle; nothing where nothing was compared.

@@ -70,7 +70,8 @@ void AppendSummary(Row& row, const std::optional<DifferenceSummary>& summary) {
   }
   row.push_back(AngleText(summary->rms_rad));
   row.push_back(AngleText(summary->largest_rad));
-  row.push_back(PlaceText(summary->elevation_rad) + "/" + PlaceText(summary->plane_rad));
+  row.push_back(PlaceText(summary->elevation_rad) +
+                (summary->plane_rad ? "/" + PlaceText(*summary->plane_rad) : ""));
 }
 
 std::string DifferenceTable(const Comparison& comparison) {
@@ -112,10 +113,12 @@ nlohmann::ordered_json SummaryAsJson(const std::optional<DifferenceSummary>& sum
   if (!summary) {
     return nullptr;
   }
-  return {{"rms_deg", DegreesFromRadians(summary->rms_rad)},
-          {"largest_deg", DegreesFromRadians(summary->largest_rad)},
-          {"elevation_deg", PlaceNumber(summary->elevation_rad)},
-          {"plane_deg", PlaceNumber(summary->plane_rad)}};
+  return {
+      {"rms_deg", DegreesFromRadians(summary->rms_rad)},
+      {"largest_deg", DegreesFromRadians(summary->largest_rad)},
+      {"elevation_deg", PlaceNumber(summary->elevation_rad)},
+      {"plane_deg",
+       summary->plane_rad ? nlohmann::ordered_json(PlaceNumber(*summary->plane_rad)) : nullptr}};
 }
 
 nlohmann::ordered_json RatioAsJson(const std::optional<double>& ratio) {
@@ -207,10 +210,13 @@ std::string ComparisonAsText(const Comparison& comparison) {
   }
   text += "\n\n" + ColumnsText(says, WordsFirst()) + "\n" + DifferenceTable(comparison);
   text +=
-      "\nDegrees, at elevation/plane. SC, AC, GH: angle of the rotation between the two; with the "
-      "same humerus,\nGH's is also that of the scapula in the thorax. The others: rhythm minus "
-      "measured, Y-X'-Z'' angles in the\nthorax, protraction +, elevation -, internal rotation +, "
-      "upward rotation -, posterior tilt +.\n-: the rhythm does not say it.\n";
+      "\nDegrees, at elevation/plane; at elevation 0 and 180 an arm has no plane. SC, AC, GH: "
+      "angle "
+      "of the rotation\nbetween the two; with the same humerus, GH's is also that of the scapula "
+      "in "
+      "the thorax. The others: rhythm\nminus measured, Y-X'-Z'' angles in the thorax, protraction "
+      "+, elevation -, internal rotation +, upward\nrotation -, posterior tilt +.\n-: the rhythm "
+      "does not say it.\n";
   text += "\nscapulohumeral ratio from elevation " + PlaceText(kRatioFrom_rad) + " on:\n" +
           std::string(kRatioDefinition) + "\n\n" + RatioTable(comparison);
   return text;

@@ -155,8 +155,7 @@ class Checker {
     constexpr double kSecond = 1e-7;
     for (const Direction direction : {Direction::kElevation, Direction::kPlane}) {
       const JumpMeter meter = InsideJumps(rhythm_.table(), pose_, direction);
-      const std::string lines =
-          "over " + std::string(kDirectionNames[static_cast<std::size_t>(direction)]) + " knots";
+      const std::string lines = "over " + std::string(Name(direction)) + " knots";
       checks_.push_back(CheckOf(meter.first(), "jump of velocity " + lines, kFirst, "deg/deg"));
       checks_.push_back(
           CheckOf(meter.second(), "jump of acceleration " + lines, kSecond, "deg/deg^2"));

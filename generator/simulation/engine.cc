@@ -7,7 +7,9 @@
 #include <array>
 #include <filesystem>
 #include <mutex>
+#include <new>
 #include <sstream>
+#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -28,7 +30,16 @@ void OnWarning(const char* message) {
   warnings.emplace_back(message);
 }
 
+// It is not the model's fault if MuJoCo gets no memory. What a model's own arena lacks has another
+// message, and is.
+void ThrowIfOutOfMemory(std::string_view message) {
+  if (message.find("Could not allocate memory") != std::string_view::npos) {
+    throw std::bad_alloc();
+  }
+}
+
 [[noreturn]] void OnError(const char* message) {
+  ThrowIfOutOfMemory(message);
   throw InputError(std::string("MuJoCo: ") + message);
 }
 
@@ -64,6 +75,7 @@ constexpr std::size_t kErrorSize = 1024;
 bool IsBinary(const std::string& name) { return std::filesystem::path(name).extension() == ".mjb"; }
 
 void ExpectLoaded(const ModelPointer& model, const std::string& name, const std::string& reason) {
+  ThrowIfOutOfMemory(reason);
   const std::string warned = TakeWarnings();
   if (model == nullptr || !warned.empty()) {
     throw InputError(name + ": MuJoCo cannot load it: " + DistinctLines(reason + "\n" + warned) +
@@ -148,7 +160,7 @@ DataPointer MakeData(const mjModel& model) {
   DataPointer data(mj_makeData(&model));
   EngineWatch::ExpectNoWarning("making the simulation's state");
   if (data == nullptr) {
-    throw InputError("MuJoCo cannot make the simulation's state: not enough memory");
+    throw std::bad_alloc();
   }
   return data;
 }

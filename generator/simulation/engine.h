@@ -22,8 +22,8 @@ struct DataDeleter {
 using ModelPointer = std::unique_ptr<mjModel, ModelDeleter>;
 using DataPointer = std::unique_ptr<mjData, DataDeleter>;
 
-/// Makes MuJoCo's errors InputErrors and collects its warnings, for the life of the object. One at
-/// a time in a process.
+/// Makes MuJoCo's errors InputErrors, or std::bad_alloc where it gets no memory, and collects its
+/// warnings, for the life of the object. One at a time in a process.
 class EngineWatch {
  public:
   EngineWatch();
@@ -54,7 +54,7 @@ using ModelFiles = std::vector<std::pair<std::string, std::string>>;
 /// MuJoCo's reason.
 [[nodiscard]] ModelPointer LoadModel(const ModelFiles& files);
 
-/// Throws InputError if there is not enough memory.
+/// Throws std::bad_alloc if there is not enough memory.
 [[nodiscard]] DataPointer MakeData(const mjModel& model);
 
 }  // namespace girdle

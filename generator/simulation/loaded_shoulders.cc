@@ -78,7 +78,7 @@ void LoadedShoulders::Watch(Side side) {
       return;
     }
   }
-  throw InputError(name_ + ": has no " + std::string(kSideNames[static_cast<std::size_t>(side)]) +
+  throw InputError(name_ + ": has no " + std::string(Name(side)) +
                    " shoulder. Make one that has with girdle generate --side");
 }
 

@@ -170,7 +170,7 @@ void MappedShoulder::ExpectSound(const mjData& data) const {
   }
   const Vector3 scapula_z_T = Observe(data).q_TS * Vector3(0, 0, 1);
   if (scapula_z_T.z <= 0) {
-    const std::string side(kSideNames[static_cast<std::size_t>(mapping_.side)]);
+    const std::string side(Name(mapping_.side));
     throw InputError(mapping_.file + ": the scapula points to the middle of the body (z of its " +
                      "frame in the thorax " + RoundedText(scapula_z_T.z, kMessageDigits) +
                      "), which no " + side +

@@ -181,7 +181,7 @@ class MappingReader {
       if (mapping_.bone(segment)) {
         continue;
       }
-      const std::string bone(kSegmentNames[static_cast<std::size_t>(segment)]);
+      const std::string bone(Name(segment));
       for (const Landmark landmark : FrameLandmarks(segment)) {
         if (!mapping_.landmark(landmark)) {
           FailFile("no row for " + std::string(DefinitionOf(landmark).name) +

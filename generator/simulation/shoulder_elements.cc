@@ -116,7 +116,7 @@ class ElementFinder {
     const char* const text = mj_getPluginConfig(&model_, instance, kSideKey);
     const std::string configured(text == nullptr || *text == '\0' ? kSideNames.front()
                                                                   : std::string_view(text));
-    const std::string own(kSideNames[static_cast<std::size_t>(side_)]);
+    const std::string own(Name(side_));
     if (configured != own) {
       throw InputError(model_name_ + ": the plugin's instance \"" +
                        (model_.names + model_.name_pluginadr[instance]) + "\" moves a " +

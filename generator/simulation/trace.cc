@@ -65,7 +65,7 @@ Stems RotationStems(const Assembly& /*assembly*/) {
   Stems stems;
   for (const Segment bone : kMovingBones) {
     for (const char* part : kQuaternionParts) {
-      stems.push_back(std::string(kSegmentNames[static_cast<std::size_t>(bone)]) + part);
+      stems.push_back(std::string(Name(bone)) + part);
     }
   }
   return stems;

@@ -10,7 +10,7 @@
 namespace girdle {
 
 std::string SkinBone::name() const {
-  const std::string_view stem = kSegmentNames[static_cast<std::size_t>(segment)];
+  const std::string_view stem = Name(segment);
   return segment == Segment::kThorax ? std::string(stem) : SidedName(stem, side);
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <limits>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -146,7 +147,7 @@ std::vector<std::size_t> TrianglesNear(const TriangleMesh& surface, const Vector
     for (const int corner : surface.triangles[i]) {
       middle_m += surface.vertices_m[static_cast<std::size_t>(corner)] / 3.0;
     }
-    if (glm::distance(middle_m, point_m) <= radius_m) {
+    if (!(glm::distance(middle_m, point_m) > radius_m)) {
       near.push_back(i);
     }
   }
@@ -166,7 +167,7 @@ AreaChange ChangeOfAreas(const TriangleMesh& surface, const std::vector<Vector3>
   for (const std::size_t i : triangles) {
     const Triangle& triangle = surface.triangles[i];
     const double first_m2 = Area_m2(surface.vertices_m, triangle);
-    if (!(first_m2 > 0)) {
+    if (first_m2 == 0) {
       continue;
     }
     const double now_m2 = Area_m2(vertices_now_m, triangle);
@@ -177,6 +178,10 @@ AreaChange ChangeOfAreas(const TriangleMesh& surface, const std::vector<Vector3>
   }
   if (parts.empty()) {
     throw std::invalid_argument("no triangle with an area to look at");
+  }
+  if (std::isnan(kept_m2 / total_m2)) {
+    constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+    return {kUnknown, kUnknown, kUnknown};
   }
   std::sort(parts.begin(), parts.end(),
             [](const Part& a, const Part& b) { return a.ratio < b.ratio; });

@@ -76,7 +76,8 @@ class LandmarkSkin {
 /// Returns where the tip of a side's acromion, the bone, is in a pose [m].
 [[nodiscard]] Vector3 AcromionIn_m(const Anatomy& anatomy, const ShoulderPose& pose, Side side);
 
-/// Returns the numbers of the triangles whose middle is within a distance [m] of a point.
+/// Returns the numbers of the triangles whose middle is within a distance [m] of a point, or is not
+/// known because a corner is no number.
 [[nodiscard]] std::vector<std::size_t> TrianglesNear(const TriangleMesh& surface,
                                                      const Vector3& point_m, double radius_m);
 
@@ -87,8 +88,8 @@ struct AreaChange {
   double fifth_percentile = 0;  ///< of area now over area at first
 };
 
-/// Returns the change of some triangles of a surface whose vertices are elsewhere now. Throws
-/// std::invalid_argument if they have no area.
+/// Returns the change of some triangles of a surface whose vertices are elsewhere now; NaN if the
+/// area of one of them is no number. Throws std::invalid_argument if they have no area.
 [[nodiscard]] AreaChange ChangeOfAreas(const TriangleMesh& surface,
                                        const std::vector<Vector3>& vertices_now_m,
                                        const std::vector<std::size_t>& triangles);

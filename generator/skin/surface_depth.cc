@@ -22,6 +22,10 @@ double DistanceFromSegment_m(const Vector3& point, const Vector3& a, const Vecto
   return glm::length(point - (a + t * along));
 }
 
+bool IsFinite(const Vector3& point_m) {
+  return std::isfinite(point_m.x) && std::isfinite(point_m.y) && std::isfinite(point_m.z);
+}
+
 // The nearest point lies within the triangle where the point's foot does, else on an edge.
 double DistanceFromTriangle_m(const Vector3& point, const Vector3& a, const Vector3& b,
                               const Vector3& c) {
@@ -109,12 +113,16 @@ SurfaceDepth::SurfaceDepth(TriangleMesh surface) : surface_(std::move(surface)) 
     Ball ball{(At(triangle, 0) + At(triangle, 1) + At(triangle, 2)) / 3.0, 0};
     for (std::size_t corner = 0; corner < triangle.size(); ++corner) {
       ball.radius_m = std::max(ball.radius_m, glm::length(At(triangle, corner) - ball.center_m));
+      is_finite_ = is_finite_ && IsFinite(At(triangle, corner));
     }
     balls_.push_back(ball);
   }
 }
 
 double SurfaceDepth::Depth_m(const Vector3& point_m) const noexcept {
+  if (!is_finite_ || !IsFinite(point_m)) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
   const double distance_m = Distance_m(point_m);
   return WindingNumber(point_m) > 0.5 ? distance_m : -distance_m;
 }

@@ -21,8 +21,9 @@ class SurfaceDepth {
   /// vertex that is not there.
   explicit SurfaceDepth(TriangleMesh surface);
 
-  /// Returns the distance [m] of a point from the surface, positive inside. The time that it takes
-  /// grows with the number of triangles: about 1 ms for 15,000.
+  /// Returns the distance [m] of a point from the surface, positive inside. If the point or a
+  /// corner of a triangle is not finite, nothing is known: NaN. The time that it takes grows with
+  /// the number of triangles: about 1 ms for 15,000.
   [[nodiscard]] double Depth_m(const Vector3& point_m) const noexcept;
 
   /// Returns how often the surface winds around a point: 1 inside a closed surface, 0 outside, and
@@ -45,6 +46,7 @@ class SurfaceDepth {
 
   TriangleMesh surface_;
   std::vector<Ball> balls_;  ///< one for each triangle
+  bool is_finite_ = true;    ///< every corner of a triangle
 };
 
 }  // namespace girdle

@@ -44,7 +44,7 @@ double RelativeDifference(const Vector3& a, const Vector3& b) {
 
 // Expects `segment` to have grown `scale` times in all directions at the same density.
 void ExpectGrown(const Anatomy& anatomy, Segment segment, double scale) {
-  const auto& name = kSegmentNames.at(static_cast<std::size_t>(segment));
+  const auto& name = Name(segment);
   for (std::size_t i = 0; i < kLandmarkCount; ++i) {
     if (kLandmarks.at(i).segment == segment) {
       EXPECT_LT(RelativeDifference(anatomy.landmarks_m.at(i), scale * Adult().landmarks_m.at(i)),

@@ -238,8 +238,7 @@ TEST(ReadPersonAnatomy, GivesMassesAndEllipsoidsTheSizeOfTheBones) {
   const Anatomy tall = ScaledAnatomy(Adult(), {.stature_m = 1.9});
   Rows rows;
   for (std::size_t i = 0; i < kLandmarkCount; ++i) {
-    rows.Add(std::string(kLandmarks.at(i).name),
-             std::string(kSegmentNames.at(static_cast<std::size_t>(kLandmarks.at(i).segment))),
+    rows.Add(std::string(kLandmarks.at(i).name), std::string(Name(kLandmarks.at(i).segment)),
              tall.landmarks_m.at(i));
   }
   const Anatomy found = Read(rows.text());

@@ -153,8 +153,7 @@ INSTANTIATE_TEST_SUITE_P(Both, LigamentOverTheTable,
                          testing::Values(LengthCase{LigamentName::kConoid, 18.7, 23.8},
                                          LengthCase{LigamentName::kTrapezoid, 19.4, 21.7}),
                          [](const testing::TestParamInfo<LengthCase>& test) {
-                           return std::string(
-                               kLigamentNames[static_cast<std::size_t>(test.param.ligament)]);
+                           return std::string(Name(test.param.ligament));
                          });
 
 }  // namespace

@@ -52,6 +52,14 @@ TEST(ReportException, CountsAPathThatTheSystemRefusesAsInput) {
   EXPECT_EQ(ending.text.find("fault"), std::string::npos) << ending.text;
 }
 
+TEST(ExitStatus, OfMemoryThatIsUsedUpIsItsOwn) {
+  const Ending ending = EndingOf([] { throw std::bad_alloc(); });
+  EXPECT_EQ(ending.exit_status, 4);
+  EXPECT_EQ(ending.text,
+            "girdle: the memory is used up. Give less at once, end other programs, or allow more "
+            "(ulimit -v)\n");
+}
+
 struct FaultCase {
   const char* name;
   std::function<void()> work;
@@ -87,7 +95,6 @@ INSTANTIATE_TEST_SUITE_P(
                         "of the system",
                         [] { throw std::system_error(std::make_error_code(std::errc::io_error)); },
                         "std::system_error: Input/output error"},
-                    FaultCase{"of memory", [] { throw std::bad_alloc(); }, "the memory is used up"},
                     FaultCase{"of no type", [] { throw 1; }, "an exception of no known type"}));
 
 }  // namespace

@@ -52,7 +52,7 @@ class EitherAssembly : public testing::TestWithParam<Assembly> {};
 INSTANTIATE_TEST_SUITE_P(Assemblies, EitherAssembly,
                          testing::Values(Assembly::kTree, Assembly::kLoop),
                          [](const testing::TestParamInfo<Assembly>& test) {
-                           return std::string(kAssemblyNames[static_cast<std::size_t>(test.param)]);
+                           return std::string(Name(test.param));
                          });
 
 TEST_P(EitherAssembly, HasALigamentBetweenItsAttachmentsOnBothSides) {
@@ -87,7 +87,7 @@ TEST_P(EitherAssembly, HasALigamentBetweenItsAttachmentsOnBothSides) {
 }
 
 double SlackIn(const ParsedXml& model, LigamentName ligament) {
-  const std::string name(kLigamentNames[static_cast<std::size_t>(ligament)]);
+  const std::string name(Name(ligament));
   return NumbersOf(model.Named("spatial", name + "_r"), "springlength").at(1);
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "anatomy/built_in_anatomy.h"
+#include "kinematics/words.h"
 #include "mjcf/shoulder_model.h"
 #include "residuals/residual.h"
 #include "rhythm_tables/built_in_tables.h"
@@ -32,9 +33,7 @@ inline constexpr std::array kModelKinds = {ModelKind::kTree,    ModelKind::kPubl
 inline constexpr std::array<std::string_view, kModelKinds.size()> kModelKindNames = {
     "Tree", "Published", "Loop", "LoopScapulaLeads", "Contact", "LoopContact"};
 
-[[nodiscard]] inline std::string_view Name(ModelKind kind) {
-  return kModelKindNames[static_cast<std::size_t>(kind)];
-}
+constexpr const auto& WordsOf(ModelKind /*which*/) noexcept { return kModelKindNames; }
 [[nodiscard]] inline bool IsLoop(ModelKind kind) {
   return kind == ModelKind::kLoop || kind == ModelKind::kScapulaLeads ||
          kind == ModelKind::kLoopContact;

@@ -138,7 +138,7 @@ class SurveyGirdleTest : public EngineTest {
 
   static double Figure(const GirdleFigures& figures_deg, GirdleFigure figure) {
     const auto& value = figures_deg[static_cast<std::size_t>(figure)];
-    EXPECT_TRUE(value) << "no " << kGirdleFigureNames[static_cast<std::size_t>(figure)];
+    EXPECT_TRUE(value) << "no " << Name(figure);
     return value.value_or(std::nan(""));
   }
 
@@ -167,7 +167,7 @@ TEST_F(SurveyGirdleTest, FindsTheAnglesThatTheModelIsAFormulaOf) {
     const GirdleFigures& model_deg = position.model_deg;
     const auto expect = [&](GirdleFigure figure, double value_rad) {
       EXPECT_NEAR(Figure(model_deg, figure), DegreesFromRadians(value_rad), kSolved_deg)
-          << kGirdleFigureNames[static_cast<std::size_t>(figure)] << elevation << " " << plane;
+          << Name(figure) << elevation << " " << plane;
     };
     expect(GirdleFigure::kProtraction, Protraction(plane));
     expect(GirdleFigure::kClavicleElevation, ClavicleElevation(elevation));
@@ -361,7 +361,7 @@ TEST_F(SurveyGirdleTest, TheReportHoldsRmsAndTheLargestWithItsSign) {
         largest = std::abs(difference_deg) > std::abs(largest) ? difference_deg : largest;
       }
     }
-    const std::string name(kGirdleFigureNames[static_cast<std::size_t>(figure)]);
+    const std::string name(Name(figure));
     EXPECT_NEAR(Line(survey, "scapulothoracic", name + ", rms").value, std::sqrt(square_sum / 12),
                 kSolved_deg);
     EXPECT_EQ(Line(survey, "scapulothoracic", name + ", largest").value, largest);

@@ -12,18 +12,13 @@
 #include <vector>
 
 #include "anatomy/built_in_anatomy.h"
-#include "mjcf/shoulder_model.h"
+#include "residuals/skinned_model.h"
 #include "rhythm_tables/built_in_tables.h"
 #include "simulation/engine_fixture.h"
-#include "skin/bone_heat.h"
-#include "skin/bone_shapes.h"
-#include "skin/implicit_body.h"
-#include "skin/skn_file.h"
 
 namespace girdle::skin_residuals_test {
 namespace {
 
-constexpr const char* kSkinFile = "skin.skn";
 constexpr const char* kOverElevationDrawn = "jump of AC skin over elevation knots, MuJoCo";
 constexpr const char* kOverElevation = "jump of AC skin over elevation knots, linear blend";
 constexpr const char* kOverPlaneDrawn = "jump of AC skin over plane knots, MuJoCo";
@@ -35,30 +30,9 @@ const std::set<std::string> kJumps = {kOverElevationDrawn, kOverElevation, kOver
 constexpr double kDrawn = 0.01;
 constexpr double kBlended = 1e-6;
 
-// A model with the skin of the implicit body, both shoulders; position servos follow any rhythm.
-const std::vector<std::pair<std::string, std::string>>& SkinnedModel() {
-  static const std::vector<std::pair<std::string, std::string>> kFiles = [] {
-    const std::vector<Side> sides = {Side::kRight, Side::kLeft};
-    const PosedBody body = ImplicitBody(BuiltInAnatomy(), sides);
-    const std::vector<SkinBone> bones = SkinBonesOf(sides);
-    const BoundSkin skin = Bind(body, bones, BoneHeat(body.surface, BoneShapesOf(body, bones)));
-    ShoulderModelOptions options;
-    options.sides = Sides::kBoth;
-    options.actuation = Actuation::kPosition;
-    options.skin = SkinElement{kSkinFile, {}};
-    for (const Side side : sides) {
-      options.skin->landmarks.push_back(FindSkinLandmarks(body, side));
-    }
-    return std::vector<std::pair<std::string, std::string>>{
-        {"shoulder.xml", ShoulderModelXml(BuiltInAnatomy(), BuiltInRhythm(), options)},
-        {kSkinFile, SknBytes(skin)}};
-  }();
-  return kFiles;
-}
-
 // The thorax somewhere else in the world.
-std::vector<std::pair<std::string, std::string>> MovedTo(const std::string& place) {
-  std::vector<std::pair<std::string, std::string>> files = SkinnedModel();
+ModelFiles MovedTo(const std::string& place) {
+  ModelFiles files = SkinnedModel();
   std::string& xml = files.front().second;
   const std::size_t pos = xml.find("pos=\"", xml.find("<body name=\"thorax\"")) + 5;
   xml.replace(pos, xml.find('"', pos) - pos, place);
@@ -67,10 +41,9 @@ std::vector<std::pair<std::string, std::string>> MovedTo(const std::string& plac
 
 class SkinJumps : public EngineTest {
  protected:
-  static std::vector<Residual> Measure(
-      const ShoulderRhythm& rhythm, Side side = Side::kRight,
-      const std::vector<std::pair<std::string, std::string>>& files = SkinnedModel(),
-      GirdleMotion girdle = GirdleMotion::kMeasured) {
+  static std::vector<Residual> Measure(const ShoulderRhythm& rhythm, Side side = Side::kRight,
+                                       const ModelFiles& files = SkinnedModel(),
+                                       GirdleMotion girdle = GirdleMotion::kMeasured) {
     LoadedShoulders loaded(LoadModel(files), "shoulder.xml");
     loaded.Watch(side);
     ShoulderSimulation simulation(std::move(loaded), AssembledRhythm(rhythm, Assembly::kTree));

@@ -16,6 +16,7 @@
 
 #include "kinematics/random_rotations.h"
 #include "rhythm_tables/built_in_tables.h"
+#include "rhythms/comparison_report.h"
 
 namespace girdle::comparison_test {
 namespace {
@@ -105,8 +106,26 @@ TEST(Compare, SaysWhereTheLargestDifferenceIs) {
   const DifferenceSummary found = Summary(comparison.rhythms[0].on_map, ComparedAngle::kSc);
   EXPECT_NEAR(found.largest_rad, 0.6, kRounding);
   EXPECT_DOUBLE_EQ(found.elevation_rad, RadiansFromDegrees(60));
-  EXPECT_DOUBLE_EQ(found.plane_rad, RadiansFromDegrees(90));
+  EXPECT_DOUBLE_EQ(found.plane_rad.value(), RadiansFromDegrees(90));
   EXPECT_NEAR(found.rms_rad, std::sqrt((0.36 + 3 * 0.04) / 4), kRounding);
+}
+
+// All planes are one there, and the last bits say which of them is worst.
+TEST(Compare, NamesNoPlaneWhereTheArmHangsOrIsStraightUp) {
+  const PublishedRhythm rhythm = Turned(kNoTurn, Exp({0, 0, 0.3}));
+  for (const double elevation_deg : {0.0, 5.0, 175.0, 180.0}) {
+    const Comparison comparison = Compare(BuiltInRhythm(), {rhythm}, Map({elevation_deg}, {0, 45}));
+    const DifferenceSummary found = Summary(comparison.rhythms[0].on_map, ComparedAngle::kGh);
+    const bool is_straight = elevation_deg == 0 || elevation_deg == 180;
+    EXPECT_DOUBLE_EQ(found.elevation_rad, RadiansFromDegrees(elevation_deg));
+    EXPECT_EQ(found.plane_rad.has_value(), !is_straight) << elevation_deg;
+    const std::string text = ComparisonAsText(comparison);
+    const std::string elevation = " " + std::to_string(static_cast<int>(elevation_deg));
+    EXPECT_EQ(text.find(elevation + "\n") != std::string::npos, is_straight) << text;
+    EXPECT_EQ(text.find(elevation + "/") == std::string::npos, is_straight) << text;
+    const std::string json = ComparisonAsJson(comparison);
+    EXPECT_EQ(json.find("\"plane_deg\": null") != std::string::npos, is_straight) << json;
+  }
 }
 
 TEST(Compare, TakesADifferenceOfAnglesTheShortWay) {

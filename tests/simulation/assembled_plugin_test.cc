@@ -41,7 +41,7 @@ struct SidedVariant {
 };
 
 void PrintTo(const SidedVariant& tested, std::ostream* out) {
-  *out << tested.variant.name << " " << kSideNames[static_cast<std::size_t>(tested.side)];
+  *out << tested.variant.name << " " << Name(tested.side);
 }
 
 std::vector<SidedVariant> SidedVariants() {

@@ -110,7 +110,7 @@ class EitherAssembly : public ThoraxTest, public testing::WithParamInterface<Ass
 INSTANTIATE_TEST_SUITE_P(Assemblies, EitherAssembly,
                          testing::Values(Assembly::kTree, Assembly::kLoop),
                          [](const testing::TestParamInfo<Assembly>& test) {
-                           return std::string(kAssemblyNames[static_cast<std::size_t>(test.param)]);
+                           return std::string(Name(test.param));
                          });
 
 TEST_P(EitherAssembly, HasLigamentsThatTheMeasuredRhythmLeavesSlack) {

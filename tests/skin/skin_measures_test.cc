@@ -9,6 +9,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -222,6 +223,18 @@ TEST(ChangeOfAreas, AFifthPercentileLeavesOutLessThanATwentieth) {
         {{0, 1, 2}, {3, 4, 5}}};
     const AreaChange change = ChangeOfAreas(surface, Squeezed(surface, 0, 3, 0.1), {0, 1});
     EXPECT_NEAR(change.fifth_percentile, width < 0.05 ? 1 : 0.1, kExact_m);
+  }
+}
+
+TEST(ChangeOfAreas, IsNotKnownIfACornerIsNoNumberBeforeOrNow) {
+  const TriangleMesh surface = TwoTriangles();
+  TriangleMesh broken = surface;
+  broken.vertices_m[1].x = std::numeric_limits<double>::quiet_NaN();
+  for (const AreaChange& change : {ChangeOfAreas(surface, broken.vertices_m, {0, 1}),
+                                   ChangeOfAreas(broken, surface.vertices_m, {0, 1})}) {
+    EXPECT_TRUE(std::isnan(change.kept));
+    EXPECT_TRUE(std::isnan(change.below_half));
+    EXPECT_TRUE(std::isnan(change.fifth_percentile));
   }
 }
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -103,6 +104,18 @@ TEST(SurfaceDepth, IsNegativeEverywhereInsideOut) {
     std::swap(triangle[1], triangle[2]);
   }
   EXPECT_NEAR(SurfaceDepth(flipped).Depth_m({0.5, 0.5, 0.4}), -0.4, kExact);
+}
+
+// Sums and the least of some numbers pass over what is none.
+TEST(SurfaceDepth, IsNotKnownWhereACornerOrThePointIsNoNumber) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  constexpr Vector3 kInside{0.5, 0.5, 0.4};
+  for (std::size_t vertex = 0; vertex < Cube().vertices_m.size(); ++vertex) {
+    TriangleMesh broken = Cube();
+    broken.vertices_m[vertex].y = kNan;
+    EXPECT_TRUE(std::isnan(SurfaceDepth(broken).Depth_m(kInside))) << vertex;
+  }
+  EXPECT_TRUE(std::isnan(SurfaceDepth(Cube()).Depth_m({0.5, kNan, 0.4})));
 }
 
 TEST(SurfaceDepth, OfNoTrianglesIsRefused) {
