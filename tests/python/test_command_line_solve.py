@@ -417,6 +417,8 @@ def peak_memory_of_rows_kb(program: Path, rows: int) -> int:
     return peak_kb
 
 
+# The address sanitizer keeps what was freed for a while: with it the memory does grow.
+@pytest.mark.plain_build
 def test_memory_does_not_grow_with_the_number_of_rows(program: Path) -> None:
     few_kb = peak_memory_of_rows_kb(program, FEW_ROWS)
     many_kb = peak_memory_of_rows_kb(program, MANY_ROWS)
