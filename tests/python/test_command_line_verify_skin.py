@@ -119,6 +119,7 @@ def test_the_blend_is_compared_at_rest_and_while_the_model_moves(measured: Repor
         assert 0 < line["value"] < line["tolerance"] == SINGLE_PRECISION_MM
 
 
+@pytest.mark.numbers
 def test_a_girdle_is_measured_unless_told_otherwise(
     girdle: Girdle, skinned: Path, measured: Report
 ) -> None:
@@ -147,9 +148,9 @@ def test_a_frozen_girdle_fails_in_what_it_does_to_skin(
 @pytest.mark.parametrize(
     "options",
     [
-        ("--side", "left", "--assembly", "loop"),
+        pytest.param(("--side", "left", "--assembly", "loop"), marks=pytest.mark.numbers),
         ("--side", "both", "--actuation", "position"),
-        ("--interpolation", "squad", "--closure", "table"),
+        pytest.param(("--interpolation", "squad", "--closure", "table"), marks=pytest.mark.numbers),
     ],
     ids="-".join,
 )
@@ -226,6 +227,7 @@ def test_a_model_that_moves_by_slerp_jumps_in_the_ac_skin_and_fails_in_nothing_e
         assert drawn["where"].startswith(("skin_ac,", "skin_acromion,"))
 
 
+@pytest.mark.numbers
 def test_a_model_that_moves_by_squad_is_smooth_over_elevation_and_bounded_over_plane(
     girdle: Girdle, make_skinned: MakeSkinned
 ) -> None:
@@ -242,6 +244,7 @@ def test_a_model_that_moves_by_squad_is_smooth_over_elevation_and_bounded_over_p
         )
 
 
+@pytest.mark.numbers
 def test_what_is_said_over_the_model_is_what_is_measured(girdle: Girdle, skinned: Path) -> None:
     report = verify(girdle, skinned / SCENE_FILE, *SLERP)
     failed = {item for item, r in report.skin.items() if not r["passed"]}
@@ -265,6 +268,7 @@ def table_of(sc_protraction_deg: Callable[[int, int], float]) -> str:
     return "\n".join(table) + "\n"
 
 
+@pytest.mark.numbers
 def test_a_table_of_the_users_own_is_what_is_measured(
     girdle: Girdle, make_skinned: MakeSkinned, tmp_path: Path
 ) -> None:
@@ -481,6 +485,7 @@ def write_skinned(skinned: Path, tmp_path: Path) -> WriteSkinned:
     return write
 
 
+@pytest.mark.numbers
 def test_a_skin_written_anew_is_the_same(
     girdle: Girdle, skinned: Path, write_skinned: WriteSkinned
 ) -> None:
@@ -489,6 +494,7 @@ def test_a_skin_written_anew_is_the_same(
     assert verify(girdle, write_skinned()).failed == set()
 
 
+@pytest.mark.numbers
 def test_skin_of_the_scapula_that_is_given_to_the_thorax_is_found(
     girdle: Girdle, write_skinned: WriteSkinned
 ) -> None:
@@ -505,6 +511,7 @@ def test_skin_of_the_scapula_that_is_given_to_the_thorax_is_found(
     assert verify(girdle, write_skinned(give_away)).failed >= RISES
 
 
+@pytest.mark.numbers
 def test_a_vertex_that_is_in_the_joint_is_found(
     girdle: Girdle, write_skinned: WriteSkinned
 ) -> None:
@@ -518,6 +525,7 @@ def test_a_vertex_that_is_in_the_joint_is_found(
     assert report.skin[DEPTH]["where"] == "ACJ"
 
 
+@pytest.mark.numbers
 def test_a_bone_that_was_elsewhere_when_the_skin_was_bound_is_found(
     girdle: Girdle, write_skinned: WriteSkinned
 ) -> None:
@@ -529,6 +537,7 @@ def test_a_bone_that_was_elsewhere_when_the_skin_was_bound_is_found(
     assert report.skin[BOUND]["value"] == pytest.approx(0.1, abs=0.001)
 
 
+@pytest.mark.numbers
 def test_a_skin_that_is_no_linear_blend_is_found(
     girdle: Girdle, write_skinned: WriteSkinned
 ) -> None:
