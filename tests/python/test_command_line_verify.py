@@ -133,6 +133,7 @@ def test_the_text_of_a_model_that_fails_says_where(girdle: Girdle, write_model: 
     assert finished.text.endswith(f"\n{len(found)} residuals outside their tolerances\n")
 
 
+@pytest.mark.numbers
 def test_two_runs_give_the_same_bytes(girdle_fine: Girdle, generated: Path) -> None:
     first, second = (girdle_fine("verify", generated / SCENE_FILE).output for _ in range(2))
     assert first == second
@@ -448,6 +449,7 @@ def tamperings() -> dict[str, Tampering]:
 TAMPERINGS = tamperings()
 
 
+@pytest.mark.numbers
 @pytest.mark.parametrize("tampering", TAMPERINGS.values(), ids=TAMPERINGS.keys())
 def test_one_change_is_caught_where_it_is_and_nowhere_else(
     girdle: Girdle, write_model: WriteModel, tampering: Tampering
