@@ -40,7 +40,13 @@ Vector = tuple[float, float, float]
 # --- The man -------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("side", ["right", "left", "both"])
+@pytest.fixture(scope="session")
+def man(shared: SharedResults) -> Path:
+    """The folder of a model with the man's skin, which no test writes to."""
+    return shared.generate("--skin", BODY).folder
+
+
+@pytest.mark.parametrize("side", [pytest.param("right", marks=pytest.mark.numbers), "left", "both"])
 def test_a_model_with_the_mans_skin_passes_with_its_own_bones(
     girdle_fine: Girdle, side: str
 ) -> None:
@@ -53,9 +59,9 @@ def test_a_model_with_the_mans_skin_passes_with_its_own_bones(
     assert "acromion's skin rises" in report
 
 
-def test_the_mans_skin_tells_a_frozen_girdle_from_a_measured_one(girdle: Girdle) -> None:
-    girdle("generate", "--skin", BODY, "--out", "m")
-    verify = ("verify", "m/scene.xml", "--anatomy", "m/landmarks_right.csv", "--json")
+@pytest.mark.numbers
+def test_the_mans_skin_tells_a_frozen_girdle_from_a_measured_one(girdle: Girdle, man: Path) -> None:
+    verify = ("verify", man / "scene.xml", "--anatomy", man / "landmarks_right.csv", "--json")
     squeezed = {}
     for choice in ("measured", "frozen"):
         finished = girdle(*verify, "--girdle", choice)
@@ -70,15 +76,14 @@ def test_the_mans_skin_tells_a_frozen_girdle_from_a_measured_one(girdle: Girdle)
 
 
 def test_the_same_body_gives_the_same_files_whatever_its_folder_is_called(
-    girdle_fine: Girdle, tmp_path: Path
+    girdle_fine: Girdle, man: Path, tmp_path: Path
 ) -> None:
     # In a comment of a table this name would end the comment.
     elsewhere = tmp_path / "two\nlines"
     elsewhere.symlink_to(BODY)
-    for folder, body in (("a", BODY), ("b", elsewhere)):
-        girdle_fine("generate", "--skin", body, "--out", folder)
-    for path in (tmp_path / "a").iterdir():
-        assert path.read_bytes() == (tmp_path / "b" / path.name).read_bytes(), path.name
+    girdle_fine("generate", "--skin", elsewhere, "--out", "m")
+    for path in man.iterdir():
+        assert path.read_bytes() == (tmp_path / "m" / path.name).read_bytes(), path.name
 
 
 def test_json_names_the_file_of_landmarks(girdle_fine: Girdle, tmp_path: Path) -> None:
@@ -87,11 +92,11 @@ def test_json_names_the_file_of_landmarks(girdle_fine: Girdle, tmp_path: Path) -
     assert (tmp_path / written["landmarks"]).is_file()
 
 
-def test_a_head_that_is_cut_off_leaves_a_lower_body(girdle_fine: Girdle, tmp_path: Path) -> None:
+def test_a_head_that_is_cut_off_leaves_a_lower_body(shared: SharedResults) -> None:
     tops = {}
     for head in ("keep", "cut"):
-        girdle_fine("generate", "--skin", BODY, "--head", head, "--out", head)
-        skin = read_skin(tmp_path / head / "shoulder_right.skn")
+        made = shared.generate("--skin", BODY, "--head", head)
+        skin = read_skin(made.folder / "shoulder_right.skn")
         tops[head] = max(y for _, y, _ in skin.vertices_m)
     assert tops["cut"] == pytest.approx(0.075, abs=SKIN_M)
     assert tops["keep"] > 0.25
@@ -346,7 +351,7 @@ def test_bones_in_a_persons_mesh_are_those_digitised(
         assert found[name][1] == pytest.approx(place_m, abs=10 * SKIN_M), name
 
 
-@pytest.mark.parametrize("side", ["right", "both"])
+@pytest.mark.parametrize("side", [pytest.param("right", marks=pytest.mark.numbers), "both"])
 def test_a_model_with_a_persons_mesh_passes_with_its_own_bones(
     girdle_fine: Girdle, person: Person, side: str
 ) -> None:
