@@ -249,6 +249,7 @@ def test_a_json_file_holds_what_json_prints(girdle_fine: Girdle, tmp_path: Path)
     assert (tmp_path / "summary.json").read_bytes() == printed
 
 
+@pytest.mark.numbers
 def test_the_same_options_give_the_same_bytes(girdle_fine: Girdle, tmp_path: Path) -> None:
     for name in ("a.csv", "b.csv"):
         girdle_fine("compare", *MAP, "--out", name)

@@ -326,6 +326,7 @@ def test_the_text_has_the_lines_of_the_json(girdle_fine: Girdle, measure: Measur
     assert text.endswith("\nall checks pass\n")
 
 
+@pytest.mark.numbers
 def test_two_runs_give_the_same_bytes(girdle_fine: Girdle) -> None:
     first, second = (girdle_fine("continuity", *PUBLISHED).output for _ in range(2))
     assert first == second

@@ -67,6 +67,7 @@ def test_it_says_what_it_wrote_as_json(girdle_fine: Girdle) -> None:
     assert (answer["model"], answer["scene"]) == (f"model/{MODEL_FILE}", f"model/{SCENE_FILE}")
 
 
+@pytest.mark.numbers
 def test_a_second_run_gives_the_same_bytes(girdle_fine: Girdle, tmp_path: Path) -> None:
     girdle_fine("generate", "--out", "first")
     girdle_fine("generate", "--out", "second")

@@ -119,6 +119,7 @@ def test_a_picture_is_640_by_480_unless_said_otherwise(
     assert (picture.width, picture.height) == (640, 480)
 
 
+@pytest.mark.numbers
 def test_the_same_command_gives_the_same_bytes(
     girdle_fine: Girdle, scene: Path, tmp_path: Path
 ) -> None:
