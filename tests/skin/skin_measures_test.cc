@@ -363,13 +363,16 @@ TEST(LargestSteps, OfAnEvenTurnAreTheChordOfADegree) {
 }
 
 TEST(LargestSteps, KeepWhatIsNoNumber) {
-  const LandmarkLargest steps =
-      LargestSteps_m(OnTheClavicle(),
-                     [](const ArmCommand& at) {
-                       return Turned(at.elevation_rad < 1 ? std::nan("") : at.elevation_rad);
-                     },
-                     BuiltInRhythmTable(BuiltInTable::kMeasured), {0});
-  EXPECT_TRUE(std::isnan(steps[0].value()));
+  // Before numbers and after them.
+  for (const bool is_first : {true, false}) {
+    const LandmarkLargest steps = LargestSteps_m(
+        OnTheClavicle(),
+        [is_first](const ArmCommand& at) {
+          return Turned((at.elevation_rad < 1) == is_first ? std::nan("") : at.elevation_rad);
+        },
+        BuiltInRhythmTable(BuiltInTable::kMeasured), {0});
+    EXPECT_TRUE(std::isnan(steps[0].value())) << is_first;
+  }
 }
 
 // A box far around the body: bound to the thorax it stays, and a landmark is as deep as its nearest
