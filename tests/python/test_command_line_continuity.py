@@ -181,6 +181,7 @@ def test_all_landmarks_jump_by_no_less_than_those_over_the_joint(measure: Measur
     assert everywhere["slerp", "elevation"] > over_joint["slerp", "elevation"]
 
 
+@pytest.mark.numbers
 def test_the_skins_jump_is_that_of_a_model_that_moves_so(
     measure: Measure, girdle: Girdle, girdle_fine: Girdle
 ) -> None:
@@ -196,6 +197,7 @@ def test_the_skins_jump_is_that_of_a_model_that_moves_so(
         assert found["slerp", over] == pytest.approx(line["value"], rel=1e-5)
 
 
+@pytest.mark.numbers
 def test_the_skin_moves_by_the_table_that_is_said(measure: Measure) -> None:
     other = skin_jumps(measure(*SKIN, "--table", "destepped"), "ac_skin_mm_per_deg")
     assert other["slerp", "elevation"] < skin_jumps(measure(*SKIN), "ac_skin_mm_per_deg")[

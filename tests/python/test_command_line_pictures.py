@@ -143,7 +143,11 @@ def test_the_arm_rests_by_default(draw: Draw, words: tuple[str, ...]) -> None:
 
 @pytest.mark.parametrize(
     ("keyframe", "elevation", "plane"),
-    [("abduction_90", "90", "0"), ("flexion_90", "90", "90"), ("across_90", "90", "120")],
+    [
+        ("abduction_90", "90", "0"),
+        pytest.param("flexion_90", "90", "90", marks=pytest.mark.numbers),
+        pytest.param("across_90", "90", "120", marks=pytest.mark.numbers),
+    ],
 )
 def test_a_keyframe_is_where_the_rhythm_has_the_arm(
     draw: Draw, keyframe: str, elevation: str, plane: str
@@ -153,6 +157,7 @@ def test_a_keyframe_is_where_the_rhythm_has_the_arm(
     assert difference(draw("--keyframe", "rest"), posed) > OTHER_POSE
 
 
+@pytest.mark.numbers
 def test_the_end_of_a_slow_raise_is_where_the_rhythm_has_the_arm(
     girdle_fine: Girdle, scene: Path, tmp_path: Path, draw: Draw
 ) -> None:
@@ -160,6 +165,7 @@ def test_the_end_of_a_slow_raise_is_where_the_rhythm_has_the_arm(
     assert difference(read_png(tmp_path / "end.png"), draw("--elevation", "90")) < OTHER_POSE
 
 
+@pytest.mark.numbers
 def test_the_cameras_see_different_things(draw: Draw) -> None:
     pictures = [draw("--camera", word) for word in ("front", "back", "above", "oblique")]
     for i, one in enumerate(pictures):
@@ -276,7 +282,9 @@ def probe(video: Path) -> dict[str, Any]:
     return stream
 
 
-@pytest.mark.parametrize(("words", "rate"), [((), 30), (("--fps", "10"), 10)])
+@pytest.mark.parametrize(
+    ("words", "rate"), [pytest.param((), 30, marks=pytest.mark.numbers), (("--fps", "10"), 10)]
+)
 def test_a_video_shows_the_motion_in_real_time(
     girdle_fine: Girdle, scene: Path, tmp_path: Path, words: tuple[str, ...], rate: int
 ) -> None:

@@ -46,7 +46,9 @@ def man(shared: SharedResults) -> Path:
     return shared.generate("--skin", BODY).folder
 
 
-@pytest.mark.parametrize("side", [pytest.param("right", marks=pytest.mark.numbers), "left", "both"])
+@pytest.mark.parametrize(
+    "side", [*(pytest.param(side, marks=pytest.mark.numbers) for side in ("right", "left")), "both"]
+)
 def test_a_model_with_the_mans_skin_passes_with_its_own_bones(
     girdle_fine: Girdle, side: str
 ) -> None:
@@ -75,6 +77,7 @@ def test_the_mans_skin_tells_a_frozen_girdle_from_a_measured_one(girdle: Girdle,
     assert squeezed["frozen"] > 20
 
 
+@pytest.mark.numbers
 def test_the_same_body_gives_the_same_files_whatever_its_folder_is_called(
     girdle_fine: Girdle, man: Path, tmp_path: Path
 ) -> None:
@@ -102,7 +105,7 @@ def test_a_head_that_is_cut_off_leaves_a_lower_body(shared: SharedResults) -> No
     assert tops["keep"] > 0.25
 
 
-@pytest.mark.parametrize("file", FILES)
+@pytest.mark.parametrize("file", [FILES[0], *(pytest.param(f, marks=pytest.mark.numbers) for f in FILES[1:])])
 def test_a_body_without_one_of_its_files_is_refused(
     refuses: Refuses, tmp_path: Path, file: str
 ) -> None:
@@ -114,7 +117,7 @@ def test_a_body_without_one_of_its_files_is_refused(
     )
 
 
-@pytest.mark.parametrize("file", FILES)
+@pytest.mark.parametrize("file", [FILES[0], *(pytest.param(f, marks=pytest.mark.numbers) for f in FILES[1:])])
 @pytest.mark.parametrize("flaw", ["a byte more", "another byte", "empty"])
 def test_a_body_of_another_version_is_refused(
     refuses: Refuses, tmp_path: Path, file: str, flaw: str
@@ -340,6 +343,7 @@ def person(made_person: Person, tmp_path: Path) -> Person:
 MESH = ("generate", "--skin", "person.obj", "--skin-landmarks", "person.csv", "--out", "m")
 
 
+@pytest.mark.numbers
 def test_bones_in_a_persons_mesh_are_those_digitised(
     girdle_fine: Girdle, person: Person, tmp_path: Path
 ) -> None:

@@ -484,7 +484,13 @@ WRONG_LINES = {
 }
 
 
-@pytest.mark.parametrize("wrong", WRONG_LINES.values(), ids=WRONG_LINES.keys())
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        pytest.param(lines, id=name, marks=() if name in ("twice", "in many rows") else pytest.mark.numbers)
+        for name, lines in WRONG_LINES.items()
+    ],
+)
 @pytest.mark.parametrize("threads", THREADS)
 def test_the_first_mistake_is_named_whatever_the_number_of_threads(
     refuses: Refuses, tmp_path: Path, threads: str, wrong: tuple[int, ...]
@@ -574,7 +580,10 @@ def test_a_mistake_is_told_before_more_is_asked(program: Path, threads: str) -> 
 # --- Runs that fail ------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("option", ["--elevation", "--plane", "--axial"])
+@pytest.mark.parametrize(
+    "option",
+    ["--elevation", *(pytest.param(o, marks=pytest.mark.numbers) for o in ("--plane", "--axial"))],
+)
 @pytest.mark.parametrize("word", ["4O", "nan", "inf", "-inf", "1e999", " ", "0x20", "1,5", "--"])
 def test_a_word_that_is_not_a_finite_number_is_refused(
     refuses: Refuses, option: str, word: str

@@ -148,11 +148,13 @@ def test_the_committed_model_passes(girdle: Girdle, model_path: Path) -> None:
     assert report.answer["passed"]
 
 
+@pytest.mark.numbers
 def test_the_model_passes_without_its_scene(girdle: Girdle, generated: Path) -> None:
     code, report = verify(girdle, generated / MODEL_FILE)
     assert (code, report.failed) == (0, set())
 
 
+@pytest.mark.numbers
 def test_a_model_written_anew_by_another_program_passes(
     girdle: Girdle, write_model: WriteModel
 ) -> None:
@@ -196,7 +198,13 @@ SOUND_MODELS: dict[str, Edit] = {
 }
 
 
-@pytest.mark.parametrize("edit", SOUND_MODELS.values(), ids=SOUND_MODELS.keys())
+@pytest.mark.parametrize(
+    "edit",
+    [
+        pytest.param(edit, id=name, marks=() if name == "no keyframes" else pytest.mark.numbers)
+        for name, edit in SOUND_MODELS.items()
+    ],
+)
 def test_a_change_that_leaves_the_shoulder_what_it_is_passes(
     girdle: Girdle, write_model: WriteModel, edit: Edit
 ) -> None:
@@ -248,7 +256,7 @@ def test_a_model_that_says_no_table_is_held_against_the_one_that_is_named(
     assert report.answer["rhythm"].endswith(", range whole, table destepped")
 
 
-@pytest.mark.parametrize("interpolation", ["squad", "slerp"])
+@pytest.mark.parametrize("interpolation", ["squad", pytest.param("slerp", marks=pytest.mark.numbers)])
 def test_without_a_table_the_one_that_the_other_interpolation_uses_is_named(
     girdle: Girdle, write_model: WriteModel, interpolation: str
 ) -> None:
@@ -500,6 +508,7 @@ BAD_SERVOS: Mapping[str, tuple[Edit, set[Caught]]] = {
 }
 
 
+@pytest.mark.numbers
 @pytest.mark.parametrize(("edit", "caught"), BAD_SERVOS.values(), ids=BAD_SERVOS.keys())
 def test_a_servo_that_does_not_follow_is_caught_by_tracking(
     girdle: Girdle, write_model: WriteModel, edit: Edit, caught: set[Caught]
@@ -523,6 +532,7 @@ OTHER_RHYTHMS = {
 }
 
 
+@pytest.mark.numbers
 @pytest.mark.parametrize(
     ("made", "written", "held"), OTHER_RHYTHMS.values(), ids=OTHER_RHYTHMS.keys()
 )

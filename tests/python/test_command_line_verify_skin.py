@@ -145,12 +145,13 @@ def test_a_frozen_girdle_fails_in_what_it_does_to_skin(
     assert frozen.skin[SQUEEZED]["value"] > 10
 
 
+@pytest.mark.numbers
 @pytest.mark.parametrize(
     "options",
     [
-        pytest.param(("--side", "left", "--assembly", "loop"), marks=pytest.mark.numbers),
+        ("--side", "left", "--assembly", "loop"),
         ("--side", "both", "--actuation", "position"),
-        pytest.param(("--interpolation", "squad", "--closure", "table"), marks=pytest.mark.numbers),
+        ("--interpolation", "squad", "--closure", "table"),
     ],
     ids="-".join,
 )
@@ -165,6 +166,7 @@ def test_every_kind_of_model_tells_them_apart(
     }
 
 
+@pytest.mark.numbers
 def test_a_small_person_is_measured_by_a_small_ruler(
     girdle: Girdle, girdle_fine: Girdle, tmp_path: Path
 ) -> None:
@@ -213,6 +215,7 @@ def test_the_default_model_is_smooth_to_the_last_digit_of_each_way(measured: Rep
         assert 0 < measured.skin[other]["value"] < VERTICES["linear blend"]
 
 
+@pytest.mark.numbers
 def test_a_model_that_moves_by_slerp_jumps_in_the_ac_skin_and_fails_in_nothing_else(
     girdle: Girdle, make_skinned: MakeSkinned
 ) -> None:
@@ -560,6 +563,7 @@ def test_a_vertex_that_is_no_number_is_found(girdle: Girdle, write_skinned: Writ
     assert verify(girdle, write_skinned(lose)).failed >= BLEND | {POSE}
 
 
+@pytest.mark.numbers
 def test_skin_without_a_share_of_the_humerus_stands_still_on_a_frozen_girdle(
     girdle: Girdle, raised: mujoco.MjModel, write_skinned: WriteSkinned
 ) -> None:
