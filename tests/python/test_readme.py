@@ -180,8 +180,8 @@ TINY = re.compile(r"[0-9.]+e-(?:0[89]|1[0-9])|0\.000[0-9]+|0")
 def without_rounding(line: str) -> tuple[str, ...]:
     """Columns of a report's line without those that rounding makes: `where`, and a tiny value."""
     columns = re.split(" {2,}", line)
-    if len(columns) == 1:
-        return (line,)
+    if len(columns) != 7:
+        return tuple(columns)
     group, item, value, tolerance, unit, result, _ = columns
     return (group, item, "tiny" if TINY.fullmatch(value) else value, tolerance, unit, result)
 
