@@ -179,9 +179,66 @@ def test_an_include_that_runs_up_is_named_with_its_line(rooms: Path) -> None:
     assert checked.stdout == f"{rooms}/above/c.cc:2: `above` does not use `below` (README.md)\n"
 
 
+@pytest.mark.parametrize(
+    ("source", "spelled", "fault"),
+    [
+        ("above/c.cc", "<below/b.h>", "`above` does not use `below` (README.md)"),
+        ("above/c.cc", '"../below/b.h"', "`above` does not use `below` (README.md)"),
+        ("above/c.cc", "<girdle/below/b.h>", "`above` does not use `below` (README.md)"),
+        ("below/c.cc", "<above/a.h>", '<above/a.h> is written "above/a.h" here'),
+        ("below/c.cc", '"../above/a.h"', '"../above/a.h" is written "above/a.h" here'),
+        ("below/c.cc", '"above//a.h"', '"above//a.h" is written "above/a.h" here'),
+        ("below/c.cc", "<girdle/above/a.h>", '<girdle/above/a.h> is written "above/a.h" here'),
+        ("below/c.cc", '"b.h"', '"b.h" is written "below/b.h" here'),
+        ("below/c.cc", '"girdle.h"', "girdle.h is for other projects"),
+        ("below/c.cc", "<girdle/girdle.h>", "girdle.h is for other projects"),
+        ("below/c.cc", '"above/none.h"', 'there is no "above/none.h"; a library\'s is in <>'),
+        ("below/c.cc", "A_HEADER", "`A_HEADER` names no file that can be read here"),
+        ("above/a.h", "<girdle/above/c.h>", "is public (girdle.h), and above/c.h is not installed with it"),
+    ],
+)
+@pytest.mark.parametrize("begin", ["#include ", "#include", " # include "], ids=repr)
+def test_an_include_in_another_form_is_named(
+    rooms: Path, source: str, spelled: str, fault: str, begin: str
+) -> None:
+    (rooms / "girdle.h").write_text('#include "above/a.h"\n')
+    show_public_headers(rooms, "| `above/a.h` | a |")
+    (rooms / "above" / "c.h").touch()
+    assert check_rooms(rooms).returncode == 0
+    if begin == "#include" and spelled[0] not in '"<':
+        begin += " "
+    (rooms / source).write_text(f"#include <vector>\n{begin}{spelled}  // why\n")
+    checked = check_rooms(rooms)
+    assert checked.returncode == 1
+    assert checked.stdout.replace("  // why", "") == f"{rooms}/{source}:2: {fault}\n"
+
+
+def show_public_headers(folder: Path, *rows: str) -> None:
+    with (folder / "README.md").open("a") as readme:
+        readme.write("\n".join(["\n| header | what for |", "|---|---|", *rows, ""]))
+
+
+def test_the_table_of_public_headers_is_that_of_girdle_h(rooms: Path) -> None:
+    (rooms / "girdle.h").write_text('#include "above/a.h"\n')
+    (rooms / "above" / "c.h").touch()
+    show_public_headers(rooms, "| `above/c.h` | c |")
+    checked = check_rooms(rooms)
+    assert checked.returncode == 1
+    assert checked.stdout == (
+        f"{rooms}/README.md: shows no public header above/a.h\n"
+        f"{rooms}/README.md: above/c.h is not in girdle.h\n"
+    )
+    (rooms / "girdle.h").write_text('#include "above/a.h"\n#include "above/c.h"\n')
+    show_public_headers(rooms, "| `above/a.h` `above/c.h` | both |")
+    checked = check_rooms(rooms)
+    assert checked.returncode == 1
+    assert checked.stdout == f"{rooms}/README.md: shows above/c.h twice\n"
+
+
 def test_a_public_header_that_includes_one_that_is_not_is_named(rooms: Path) -> None:
     umbrella = rooms / "girdle.h"
     umbrella.write_text('#include "below/b.h"\n')
+    show_public_headers(rooms, "| `below/b.h` | b |")
     checked = check_rooms(rooms)
     assert checked.returncode == 1
     assert (
@@ -189,6 +246,7 @@ def test_a_public_header_that_includes_one_that_is_not_is_named(rooms: Path) -> 
         == f"{rooms}/below/b.h:1: is public (girdle.h), and above/a.h is not installed with it\n"
     )
     umbrella.write_text('#include "above/a.h"\n#include "below/b.h"\n')
+    show_public_headers(rooms, "| `above/a.h` | a |")
     assert check_rooms(rooms).returncode == 0
 
 
