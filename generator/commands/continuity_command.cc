@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "anatomy/built_in_anatomy.h"
+#include "commands/exit_status.h"
 #include "commands/output_file.h"
 #include "commands/rhythm_arguments.h"
 #include "commands/skin_argument.h"
@@ -188,7 +189,7 @@ void AddContinuityCommand(CLI::App& program, int& status) {
       "With --skin also what the interpolations do to the skin over the shoulder, which "
       "\"girdle verify\" checks of a model's own rhythm.\n"
       "Examples:\n  girdle continuity\n  girdle continuity --skin implicit");
-  verb->callback([arguments, &status] { status = Measure(*arguments) ? 0 : 1; });
+  verb->callback([arguments, &status] { status = Measure(*arguments) ? kFine : kAboveTolerance; });
 }
 
 }  // namespace girdle

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "anatomy/built_in_anatomy.h"
+#include "commands/exit_status.h"
 #include "commands/output_file.h"
 #include "commands/picture_diagnosis.h"
 #include "commands/simulation_module.h"
@@ -303,7 +304,7 @@ void AddDoctorCommand(CLI::App& program, int& status) {
     } else {
       const Diagnosis diagnosis = Examine(*arguments);
       Print(arguments->json ? DiagnosisAsJson(diagnosis) : DiagnosisAsText(diagnosis));
-      status = diagnosis.passed() ? 0 : 1;
+      status = diagnosis.passed() ? kFine : kAboveTolerance;
     }
   });
 }

@@ -9,6 +9,7 @@
 
 #include "commands/anatomy_arguments.h"
 #include "commands/angle_sweep.h"
+#include "commands/exit_status.h"
 #include "commands/output_file.h"
 #include "commands/progress.h"
 #include "commands/rhythm_arguments.h"
@@ -126,7 +127,7 @@ void AddVerifyCommand(CLI::App& program, int& status) {
       "Examples:\n  girdle verify scene.xml\n"
       "  girdle verify scene.xml --girdle frozen\n"
       "  girdle verify arm.xml --mapping data/mappings/myo_sim.csv");
-  verb->callback([arguments, &status] { status = Verify(*arguments) ? 0 : 1; });
+  verb->callback([arguments, &status] { status = Verify(*arguments) ? kFine : kAboveTolerance; });
 }
 
 }  // namespace girdle

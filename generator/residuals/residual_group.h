@@ -52,8 +52,7 @@ enum class PoseKind {
   /// positions.
   kAtTargets,
   /// At a position of a loop's table, where servos and constraints hold it; on thorax contact,
-  /// which
-  /// pushes the joints off, at the targets.
+  /// which pushes the joints off, at the targets.
   kTableHeld,
   /// At a position of the table, at rest on the thorax. Only of models with thorax contact.
   kTableOnThorax,

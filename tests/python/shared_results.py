@@ -31,6 +31,18 @@ def digest_of(parts: Iterable[bytes]) -> str:
     return digest.hexdigest()[:16]
 
 
+def bytes_of(word: str) -> Iterable[bytes]:
+    """What a word of a command line says: itself, and all of the file or folder that it names."""
+    yield word.encode()
+    named = Path(word.partition("=")[2] if word.startswith("--") else word)
+    if named.is_file():
+        yield named.read_bytes()
+    elif named.name and named.is_dir():
+        for path in sorted(path for path in named.rglob("*") if path.is_file()):
+            yield str(path.relative_to(named)).encode()
+            yield path.read_bytes()
+
+
 @dataclass(frozen=True)
 class Made:
     """What `girdle generate` has made. No test writes to it."""
@@ -69,9 +81,9 @@ class SharedResults:
                 shutil.rmtree(other, ignore_errors=True)
 
     def generate(self, *words: str | Path) -> Made:
-        """A model by the words that it is made with, which may name no file that a test writes."""
+        """A model by the words that it is made with."""
         command = ["generate", *map(str, words)]
-        name = digest_of(word.encode() for word in command)
+        name = digest_of(part for word in command for part in bytes_of(word))
 
         def make(folder: Path) -> None:
             finished = self._run(*command, "--out", folder)
@@ -87,10 +99,13 @@ class SharedResults:
         """The report of a scene whose folder nobody changes while tests run."""
         files = sorted(path for path in scene.parent.iterdir() if path.suffix in (".xml", ".skn"))
         command = ["verify", str(scene), "--json", *words]
-        parts = [*(word.encode() for word in command), *(path.read_bytes() for path in files)]
+        parts = [part for word in command for part in bytes_of(word)]
+        parts += [path.read_bytes() for path in files]
 
         def make(folder: Path) -> None:
             finished = self._run(*command)
+            # A report was printed; a crash may not come again.
+            assert finished.returncode in (0, 1), (finished.returncode, finished.stderr)
             said = [finished.returncode, finished.stderr, finished.stdout]
             (folder / "said.json").write_text(json.dumps(said))
 

@@ -16,9 +16,15 @@ from conftest import Girdle, Refuses
 from reference_rhythm import COORDINATES
 
 RHYTHMS = ["Inman", "Braman", "de Groot and Brand", "MoBL-ARMS", "frozen girdle"]
+UPWARD_ROTATION_ALONE = ("Inman", "Braman")
 # Fields of the map are rounded to six decimals; a difference of two is twice as far off.
 ROUNDED_DEG = 1.1e-6
 EXACT = 1e-9
+# What of a rhythm is compared: rotations of joints, and angles of clavicle and scapula.
+COMPARED = {
+    *("sc", "ac", "gh", "sc_protraction", "sc_elevation"),
+    *("st_internal_rotation", "st_upward_rotation", "st_tilt"),
+}
 WIDEST_LINE = 110
 
 # A small map, all of it within the table.
@@ -52,9 +58,22 @@ def small_map(girdle_fine: Girdle, tmp_path: Path) -> Rows:
     return read_map(tmp_path / "map.csv")
 
 
+def rows_of(rhythm: str, rows: Rows) -> dict[tuple[float, float], dict[str, str]]:
+    """The rows of one rhythm of a map of MAP by elevation and plane; none is missing."""
+    found = {
+        (elevation, plane): row
+        for (name, elevation, plane), row in rows.items()
+        if name == rhythm
+    }
+    assert list(found) == [(elevation, plane) for elevation in ELEVATIONS for plane in PLANES]
+    return found
+
+
 def differences(report: Any, rhythm: str) -> dict[str, Any]:
     (found,) = [entry for entry in report["rhythms"] if entry["name"] == rhythm]
-    return {entry["of"]: entry for entry in found["differences"]}
+    by_angle = {entry["of"]: entry for entry in found["differences"]}
+    assert by_angle.keys() == COMPARED
+    return by_angle
 
 
 # --- The map -------------------------------------------------------------------------------------
@@ -79,43 +98,40 @@ def test_girdles_rows_are_what_solve_gives(
     girdle_fine: Girdle, tmp_path: Path, options: tuple[str, ...]
 ) -> None:
     girdle_fine("compare", *MAP, *options, "--out", "map.csv")
-    for (rhythm, elevation, plane), row in read_map(tmp_path / "map.csv").items():
-        if rhythm == "Girdle":
-            place = ("--elevation", str(elevation), "--plane", str(plane))
-            pose = ("solve", *place, *options, "--json")
-            expected_deg = json.loads(girdle_fine(*pose).text)["angles_deg"]
-            found_deg = {name: float(row[f"{name}_deg"]) for name in COORDINATES}
-            assert found_deg == pytest.approx(expected_deg, abs=ROUNDED_DEG)
+    rows = rows_of("Girdle", read_map(tmp_path / "map.csv"))
+    for (elevation, plane), row in rows.items():
+        place = ("--elevation", str(elevation), "--plane", str(plane))
+        pose = ("solve", *place, *options, "--json")
+        expected_deg = json.loads(girdle_fine(*pose).text)["angles_deg"]
+        found_deg = {name: float(row[f"{name}_deg"]) for name in COORDINATES}
+        assert found_deg == pytest.approx(expected_deg, abs=ROUNDED_DEG)
 
 
 def test_girdle_does_not_differ_from_itself(small_map: Rows) -> None:
-    for (rhythm, _, _), row in small_map.items():
-        if rhythm == "Girdle":
-            found = {row[name] for name in row if name.endswith("_difference_deg")}
-            assert found == {"0"}
+    for row in rows_of("Girdle", small_map).values():
+        found = {row[name] for name in row if name.endswith("_difference_deg")}
+        assert found == {"0"}
 
 
 def test_a_frozen_girdle_differs_by_what_was_measured(small_map: Rows) -> None:
-    for (rhythm, elevation, plane), row in small_map.items():
-        if rhythm == "frozen girdle":
-            measured_deg = float(small_map["Girdle", elevation, plane]["st_upward_rotation_deg"])
-            assert float(row["st_upward_rotation_deg"]) == RELAXED_UPWARD_DEG
-            assert float(row["st_upward_rotation_difference_deg"]) == pytest.approx(
-                RELAXED_UPWARD_DEG - measured_deg, abs=ROUNDED_DEG
-            )
+    for (elevation, plane), row in rows_of("frozen girdle", small_map).items():
+        measured_deg = float(small_map["Girdle", elevation, plane]["st_upward_rotation_deg"])
+        assert float(row["st_upward_rotation_deg"]) == RELAXED_UPWARD_DEG
+        assert float(row["st_upward_rotation_difference_deg"]) == pytest.approx(
+            RELAXED_UPWARD_DEG - measured_deg, abs=ROUNDED_DEG
+        )
 
 
 def test_inman_turns_the_scapula_by_a_third_and_says_no_more(small_map: Rows) -> None:
-    for (rhythm, elevation, _), row in small_map.items():
-        if rhythm == "Inman":
-            assert float(row["st_upward_rotation_deg"]) == pytest.approx(
-                RELAXED_UPWARD_DEG - elevation / 3, abs=ROUNDED_DEG
-            )
-            said = {name for name, field in row.items() if field != ""}
-            assert said == {
-                *("rhythm", "elevation_deg", "plane_deg", "in_table"),
-                *("st_upward_rotation_deg", "st_upward_rotation_difference_deg"),
-            }
+    for (elevation, _), row in rows_of("Inman", small_map).items():
+        assert float(row["st_upward_rotation_deg"]) == pytest.approx(
+            RELAXED_UPWARD_DEG - elevation / 3, abs=ROUNDED_DEG
+        )
+        said = {name for name, field in row.items() if field != ""}
+        assert said == {
+            *("rhythm", "elevation_deg", "plane_deg", "in_table"),
+            *("st_upward_rotation_deg", "st_upward_rotation_difference_deg"),
+        }
 
 
 def test_de_groot_and_brand_say_nothing_of_the_clavicles_axial_rotation(small_map: Rows) -> None:
@@ -134,13 +150,19 @@ def test_de_groot_and_brand_say_nothing_of_the_clavicles_axial_rotation(small_ma
 
 def test_differences_of_angles_are_rhythm_minus_measured(small_map: Rows) -> None:
     angles = ("sc_protraction", "sc_elevation", "st_internal_rotation", "st_tilt")
+    compared = dict.fromkeys(["Girdle", *RHYTHMS], 0)
     for (rhythm, elevation, plane), row in small_map.items():
         measured = small_map["Girdle", elevation, plane]
         for angle in angles:
             if row[f"{angle}_difference_deg"] != "":
+                compared[rhythm] += 1
                 expected = float(row[f"{angle}_deg"]) - float(measured[f"{angle}_deg"])
                 error = math.remainder(float(row[f"{angle}_difference_deg"]) - expected, 360)
                 assert error == pytest.approx(0, abs=2 * ROUNDED_DEG), rhythm
+    everywhere = len(angles) * len(ELEVATIONS) * len(PLANES)
+    assert compared == {
+        rhythm: 0 if rhythm in UPWARD_ROTATION_ALONE else everywhere for rhythm in compared
+    }
 
 
 def test_positions_beyond_the_table_are_marked_or_left_out(
@@ -182,7 +204,7 @@ def test_the_summary_is_made_of_the_map(girdle_fine: Girdle, small_map: Rows) ->
     report = summary(girdle_fine, *MAP)
     assert [rhythm["name"] for rhythm in report["rhythms"]] == RHYTHMS
     for rhythm in RHYTHMS:
-        rows = [row for (name, _, _), row in small_map.items() if name == rhythm]
+        rows = rows_of(rhythm, small_map).values()
         for of, found in differences(report, rhythm).items():
             fields = [row[f"{of}_difference_deg"] for row in rows]
             if "" in fields:
@@ -234,14 +256,17 @@ def test_girdles_ratio_is_that_of_its_map(girdle_fine: Girdle, tmp_path: Path) -
     options = ("--elevation", "30:120:30", "--plane", "0:90:10", "--out", "map.csv")
     report = summary(girdle_fine, *options)
     rows = read_map(tmp_path / "map.csv")
-    for row in report["scapulohumeral_ratio"]["rows"]:
-        if row["elevation_deg"] <= 120:
-            to, plane = row["elevation_deg"], row["plane_deg"]
-            # Upward rotation is negative.
-            change = float(rows["Girdle", 30, plane]["st_upward_rotation_deg"]) - float(
-                rows["Girdle", to, plane]["st_upward_rotation_deg"]
-            )
-            assert row["Girdle"] == pytest.approx((to - 30 - change) / change, abs=1e-6)
+    in_table = [row for row in report["scapulohumeral_ratio"]["rows"] if row["elevation_deg"] <= 120]
+    assert [(row["plane_deg"], row["elevation_deg"]) for row in in_table] == [
+        (plane, to) for plane in (0, 40, 90) for to in (60, 90, 120)
+    ]
+    for row in in_table:
+        to, plane = row["elevation_deg"], row["plane_deg"]
+        # Upward rotation is negative.
+        change = float(rows["Girdle", 30, plane]["st_upward_rotation_deg"]) - float(
+            rows["Girdle", to, plane]["st_upward_rotation_deg"]
+        )
+        assert row["Girdle"] == pytest.approx((to - 30 - change) / change, abs=1e-6)
 
 
 def test_a_json_file_holds_what_json_prints(girdle_fine: Girdle, tmp_path: Path) -> None:

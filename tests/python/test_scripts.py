@@ -7,6 +7,7 @@ from __future__ import annotations
 import os
 import shutil
 import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -179,9 +180,66 @@ def test_an_include_that_runs_up_is_named_with_its_line(rooms: Path) -> None:
     assert checked.stdout == f"{rooms}/above/c.cc:2: `above` does not use `below` (README.md)\n"
 
 
+@pytest.mark.parametrize(
+    ("source", "spelled", "fault"),
+    [
+        ("above/c.cc", "<below/b.h>", "`above` does not use `below` (README.md)"),
+        ("above/c.cc", '"../below/b.h"', "`above` does not use `below` (README.md)"),
+        ("above/c.cc", "<girdle/below/b.h>", "`above` does not use `below` (README.md)"),
+        ("below/c.cc", "<above/a.h>", '<above/a.h> is written "above/a.h" here'),
+        ("below/c.cc", '"../above/a.h"', '"../above/a.h" is written "above/a.h" here'),
+        ("below/c.cc", '"above//a.h"', '"above//a.h" is written "above/a.h" here'),
+        ("below/c.cc", "<girdle/above/a.h>", '<girdle/above/a.h> is written "above/a.h" here'),
+        ("below/c.cc", '"b.h"', '"b.h" is written "below/b.h" here'),
+        ("below/c.cc", '"girdle.h"', "girdle.h is for other projects"),
+        ("below/c.cc", "<girdle/girdle.h>", "girdle.h is for other projects"),
+        ("below/c.cc", '"above/none.h"', 'there is no "above/none.h"; a library\'s is in <>'),
+        ("below/c.cc", "A_HEADER", "`A_HEADER` names no file that can be read here"),
+        ("above/a.h", "<girdle/above/c.h>", "is public (girdle.h), and above/c.h is not installed with it"),
+    ],
+)
+@pytest.mark.parametrize("begin", ["#include ", "#include", " # include "], ids=repr)
+def test_an_include_in_another_form_is_named(
+    rooms: Path, source: str, spelled: str, fault: str, begin: str
+) -> None:
+    (rooms / "girdle.h").write_text('#include "above/a.h"\n')
+    show_public_headers(rooms, "| `above/a.h` | a |")
+    (rooms / "above" / "c.h").touch()
+    assert check_rooms(rooms).returncode == 0
+    if begin == "#include" and spelled[0] not in '"<':
+        begin += " "
+    (rooms / source).write_text(f"#include <vector>\n{begin}{spelled}  // why\n")
+    checked = check_rooms(rooms)
+    assert checked.returncode == 1
+    assert checked.stdout.replace("  // why", "") == f"{rooms}/{source}:2: {fault}\n"
+
+
+def show_public_headers(folder: Path, *rows: str) -> None:
+    with (folder / "README.md").open("a") as readme:
+        readme.write("\n".join(["\n| header | what for |", "|---|---|", *rows, ""]))
+
+
+def test_the_table_of_public_headers_is_that_of_girdle_h(rooms: Path) -> None:
+    (rooms / "girdle.h").write_text('#include "above/a.h"\n')
+    (rooms / "above" / "c.h").touch()
+    show_public_headers(rooms, "| `above/c.h` | c |")
+    checked = check_rooms(rooms)
+    assert checked.returncode == 1
+    assert checked.stdout == (
+        f"{rooms}/README.md: shows no public header above/a.h\n"
+        f"{rooms}/README.md: above/c.h is not in girdle.h\n"
+    )
+    (rooms / "girdle.h").write_text('#include "above/a.h"\n#include "above/c.h"\n')
+    show_public_headers(rooms, "| `above/a.h` `above/c.h` | both |")
+    checked = check_rooms(rooms)
+    assert checked.returncode == 1
+    assert checked.stdout == f"{rooms}/README.md: shows above/c.h twice\n"
+
+
 def test_a_public_header_that_includes_one_that_is_not_is_named(rooms: Path) -> None:
     umbrella = rooms / "girdle.h"
     umbrella.write_text('#include "below/b.h"\n')
+    show_public_headers(rooms, "| `below/b.h` | b |")
     checked = check_rooms(rooms)
     assert checked.returncode == 1
     assert (
@@ -189,6 +247,7 @@ def test_a_public_header_that_includes_one_that_is_not_is_named(rooms: Path) -> 
         == f"{rooms}/below/b.h:1: is public (girdle.h), and above/a.h is not installed with it\n"
     )
     umbrella.write_text('#include "above/a.h"\n#include "below/b.h"\n')
+    show_public_headers(rooms, "| `above/a.h` | a |")
     assert check_rooms(rooms).returncode == 0
 
 
@@ -205,3 +264,118 @@ def test_a_table_whose_rooms_use_rooms_below_them_is_refused(rooms: Path) -> Non
     checked = check_rooms(rooms)
     assert checked.returncode == 2
     assert f"{table}:3: `below` does not stand above what uses it" in checked.stderr
+
+
+# Stands for scripts/configure and the cmake that it names: says how sources are compiled, which is
+# to write their names into a file.
+CONFIGURE = """#!/usr/bin/env python3
+import json, os, sys
+from pathlib import Path
+folder = Path(sys.argv[0]).resolve().parents[3]
+alone = folder / "build" / "lint-single"
+together = folder / "build" / "lint"
+unit = together / "Unity" / "unit_0.cc"
+for place in (alone, unit.parent):
+    place.mkdir(parents=True, exist_ok=True)
+def write(build, *files):
+    entries = [
+        {"directory": str(build), "command": f"echo >>{folder}/build/compiled -o x", "file": str(file)}
+        for file in files
+    ]
+    (build / "compile_commands.json").write_text(json.dumps(entries, indent=1))
+sources = [folder / name for name in os.environ["SOURCES"].split()]
+unit.write_text("".join(f'#include "{source}"\\n' for source in sorted(folder.glob("generator/*/*.cc"))))
+write(together, unit)
+made = [alone / "generator" / "a_verify_interface_header_sets" / "a.h.cxx", alone / "generator" / "made.cc"]
+write(alone, *made, *sources)
+print(sys.argv[0])
+"""
+LINTED = "generator/above/a.cc generator/above/b.cc"
+
+
+@pytest.fixture
+def linted(checkout: Path, tmp_path: Path) -> Path:
+    """A checkout, in a folder named build, in which lint finds nothing; tools find nothing anyway."""
+    folder = tmp_path / "build" / "checkout"
+    folder.parent.mkdir()
+    checkout.rename(folder)
+    tools = folder / "build" / "python" / "bin"
+    tools.mkdir(parents=True)
+    for tool in ("clang-tidy", "ruff", "mypy", "clang-format", "shellcheck"):
+        write_program(tools / tool, "#!/bin/sh\n")
+    (tools / "python").symlink_to(sys.executable)
+    write_program(tools / "configure", CONFIGURE)
+    write_program(folder / "scripts" / "configure", f"#!/bin/sh\nexec {tools}/configure\n")
+    (folder / ".gitignore").write_text("/build/\n__pycache__/\n")
+    shutil.copy(SCRIPTS.parent / "pyproject.toml", folder)
+    for source in LINTED.split():
+        (folder / source).parent.mkdir(parents=True, exist_ok=True)
+        (folder / source).touch()
+    (folder / "generator" / "README.md").write_text("| `above` | a | |\n")
+    run("git", "init", "-q", folder)
+    return folder
+
+
+def lint(folder: Path, *, sources: str = LINTED, programs: Path | None = None) -> tuple[int, str]:
+    """How lint ends, and what it finds."""
+    tools = folder / "build" / "python" / "bin"
+    path = tools if programs is None else Path(f"{programs}:{tools}")
+    finished = run(folder / "scripts" / "lint", path=path, SOURCES=sources)
+    return finished.returncode, finished.stderr.replace("lint: failed; see above\n", "")
+
+
+def test_lint_compiles_each_source_below_a_folder_named_build(linted: Path) -> None:
+    assert lint(linted) == (0, "")
+    compiled = (linted / "build" / "compiled").read_text()
+    assert f" {linted}/generator/above/b.cc\n" in compiled
+    assert "/a.h.cxx\n" in compiled
+    assert "made.cc" not in compiled
+
+
+def test_lint_that_compiles_no_source_fails(linted: Path) -> None:
+    assert lint(linted, sources="") == (1, "lint: CMake compiles no source of generator/\n")
+
+
+@pytest.mark.parametrize("is_tracked", [False, True])
+def test_lint_finds_what_a_merge_left(linted: Path, is_tracked: bool) -> None:
+    (linted / "notes.md").write_text("a\n<<<<<<< HEAD\n")
+    if is_tracked:
+        assert run("git", "-C", linted, "add", "notes.md").returncode == 0
+    left = "notes.md:2:<<<<<<< HEAD\nlint: a merge left its marks; see above\n"
+    assert lint(linted) == (1, left)
+
+
+def test_lint_fails_where_git_cannot_look_for_what_a_merge_left(linted: Path, tmp_path: Path) -> None:
+    git = f'#!/bin/sh\n[ "$1" = grep ] && exit 128\nexec {shutil.which("git")} "$@"\n'
+    write_program(tmp_path / "programs" / "git", git)
+    found = lint(linted, programs=tmp_path / "programs")
+    assert found == (1, "lint: git cannot look for what a merge left\n")
+
+
+@pytest.mark.parametrize(
+    ("name", "first_line"),
+    [("scripts/new", "#!/usr/bin/env python3"), ("new", "#!/usr/bin/python3 -I")],
+)
+def test_lint_finds_python_without_suffix_that_its_tools_do_not_see(
+    linted: Path, name: str, first_line: str
+) -> None:
+    (linted / name).parent.mkdir(exist_ok=True)
+    (linted / name).write_text(f"{first_line}\n")
+    assert lint(linted) == (
+        1,
+        f"lint: ruff does not see {name}: add it to its extend-include in pyproject.toml\n"
+        f"lint: mypy does not see {name}: add it to its files in pyproject.toml\n",
+    )
+    settings = linted / "pyproject.toml"
+    listed = '"scripts/check_rooms", '
+    assert settings.read_text().count(listed) == 2
+    settings.write_text(settings.read_text().replace(listed, f'{listed}"{name}", '))
+    assert lint(linted) == (0, "")
+
+
+def test_lint_finds_python_that_mypy_does_not_see(linted: Path) -> None:
+    (linted / "new.py").touch()
+    assert lint(linted) == (
+        1,
+        "lint: mypy does not see new.py: add it to its files in pyproject.toml\n",
+    )

@@ -5,8 +5,14 @@
 /// this as well.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstring>
+#include <filesystem>
+#include <latch>
+#include <set>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -71,6 +77,60 @@ TEST(SolveManyInThreads, ThreeCallersAtOnceEachGetTheBytesOfOneThread) {
     EXPECT_TRUE(SameBytes(of_caller.origins, expected.origins));
     EXPECT_TRUE(SameBytes(of_caller.distances_rad, expected.distances_rad));
   }
+}
+
+// The system's numbers of all threads of this process.
+std::set<std::string> ThreadNumbers() {
+  std::set<std::string> numbers;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/task")) {
+    numbers.insert(entry.path().filename());
+  }
+  return numbers;
+}
+
+// How many threads there are during `call` that were not there before it.
+template <typename Call>
+std::size_t StartedBy(const Call& call) {
+  std::set<std::string> before;
+  std::set<std::string> seen;
+  std::atomic<bool> is_over = false;
+  {
+    std::latch watches(1);
+    const std::jthread watcher([&] {
+      // Here, so that the watcher itself is among them.
+      before = ThreadNumbers();
+      watches.count_down();
+      while (!is_over) {
+        seen.merge(ThreadNumbers());
+      }
+    });
+    watches.wait();
+    call();
+    is_over = true;
+  }
+  return static_cast<std::size_t>(std::ranges::count_if(
+      seen, [&before](const std::string& number) { return !before.contains(number); }));
+}
+
+TEST(SolveManyInThreads, AsManyAreStartedAsAreAskedForBesideTheCaller) {
+  // Tens of milliseconds: as a rule the watcher looks at them meanwhile.
+  constexpr std::size_t kLongCommands = 100 * kCommands;
+  constexpr int kAttempts = 20;
+  const ShoulderRhythm rhythm = BuiltInRhythm();
+  const std::vector<ArmCommand> commands(kLongCommands);
+  std::vector<ShoulderPose> poses(kLongCommands);
+  const auto started = [&](std::size_t threads) {
+    return StartedBy([&] {
+      SolveMany(rhythm, commands, {.poses = poses},
+                {.threads = threads, .instructions = Instructions::kPortable});
+    });
+  };
+  EXPECT_EQ(started(1), 0);
+  std::size_t most = 0;
+  for (int attempt = 0; attempt < kAttempts && most < kThreads - 1; ++attempt) {
+    most = std::max(most, started(kThreads));
+  }
+  EXPECT_EQ(most, kThreads - 1);
 }
 
 }  // namespace
