@@ -25,9 +25,14 @@ constexpr std::array kKinds = {PoseKind::kAtTargets, PoseKind::kTableHeld, PoseK
                                PoseKind::kGridHeld, PoseKind::kGridAsked};
 
 // Read from the model, not from a state.
-const Lines kOfTheModel = {"bones: masses", "bones: centres of mass", "bones: moments of inertia",
+const Lines kOfTheModel = {"bones: masses",
+                           "bones: centres of mass",
+                           "bones: moments of inertia",
                            "kinematic consistency: keyframes",
-                           "kinematic consistency: keyframes, scapula's place"};
+                           "kinematic consistency: keyframes, scapula's place",
+                           "ligaments: slack against the anatomy's",
+                           "ligaments: stiffness against the anatomy's",
+                           "ligaments: range against the anatomy's"};
 
 // A state of which nothing is known.
 ShoulderState Unknown(const ArmCommand& command) {

@@ -102,6 +102,27 @@ ModelFault SlackShortened(const std::string& ligament, double by_m) {
     model.tendon_lengthspring[2 * id + 1] -= by_m;
   };
 }
+// A number of a ligament that MuJoCo holds, one or two of them for each tendon.
+ModelFault TendonSet(const std::string& ligament, mjtNum* mjModel::*values, int of_each, int which,
+                     double value) {
+  return [=](mjModel& model) {
+    (model.*values)[of_each * IdOf(model, mjOBJ_TENDON, ligament) + which] = value;
+  };
+}
+// An attribute of a ligament in the XML.
+XmlFault LigamentSays(const std::string& ligament, const std::string& attribute,
+                      const std::string& value) {
+  return [=](std::string xml) {
+    const std::size_t tendon = xml.find("<spatial name=\"" + ligament + "\"");
+    const std::string begin = " " + attribute + "=\"";
+    const std::size_t at = tendon == std::string::npos ? tendon : xml.find(begin, tendon);
+    if (at == std::string::npos) {
+      throw std::logic_error("the model's " + ligament + " says no " + attribute);
+    }
+    const std::size_t from = at + begin.size();
+    return xml.replace(from, xml.find('"', from) - from, value);
+  };
+}
 ModelFault ConnectSoftened(double time_constant_s, double damping_ratio) {
   return [=](mjModel& model) {
     mjtNum* const solref = model.eq_solref + mjNREF * IdOf(model, mjOBJ_EQUALITY, "AC_r");
@@ -352,10 +373,33 @@ std::vector<WrongModel> WrongModels() {
       // Ligaments.
       {"LigamentAttachedElsewhere", tree, Ligaments({"lengths against the bones"}),
        SiteMoved("conoid_scapula_r", kY)},
-      {"ConoidShort", tree, Ligaments({"conoid, beyond slack"}) + kReached,
+      {"ConoidShort", tree,
+       Ligaments({"conoid, beyond slack", "slack against the anatomy's"}) + kReached,
        SlackShortened("conoid_r", 2e-4)},
-      {"TrapezoidShort", tree, Ligaments({"trapezoid, beyond slack"}) + kReached,
+      {"TrapezoidShort", tree,
+       Ligaments({"trapezoid, beyond slack", "slack against the anatomy's"}) + kReached,
        SlackShortened("trapezoid_r", 2e-4)},
+      // A ligament that never pulls is never beyond slack.
+      {"ConoidNeverTaut", tree, Ligaments({"slack against the anatomy's"}), nullptr,
+       LigamentSays("conoid_r", "springlength", "0 1")},
+      {"TrapezoidLongerByAHundredthOfAMillimeter", loop, Ligaments({"slack against the anatomy's"}),
+       SlackShortened("trapezoid_r", -kShift_m)},
+      {"ConoidPushes", tree, Ligaments({"slack against the anatomy's"}),
+       TendonSet("conoid_r", &mjModel::tendon_lengthspring, 2, 0, 1e-4)},
+      {"ConoidWithoutStiffness", tree, Ligaments({"stiffness against the anatomy's"}), nullptr,
+       LigamentSays("conoid_r", "stiffness", "0")},
+      {"TrapezoidStiffer", tree, Ligaments({"stiffness against the anatomy's"}),
+       [](mjModel& model) {
+         model.tendon_stiffness[IdOf(model, mjOBJ_TENDON, "trapezoid_r")] *= 1 + 1e-6;
+       }},
+      {"ConoidTearsEarly", tree, Ligaments({"range against the anatomy's"}),
+       [](mjModel& model) {
+         model.tendon_range[2 * IdOf(model, mjOBJ_TENDON, "conoid_r") + 1] -= kShift_m;
+       }},
+      {"TrapezoidHoldsFromSomeLength", tree, Ligaments({"range against the anatomy's"}),
+       TendonSet("trapezoid_r", &mjModel::tendon_range, 2, 0, kShift_m)},
+      {"TrapezoidNeverTears", tree, Ligaments({"range against the anatomy's"}),
+       [](mjModel& model) { model.tendon_limited[IdOf(model, mjOBJ_TENDON, "trapezoid_r")] = 0; }},
 
       // The thorax.
       {"ThoraxSoft", contact, Lines{"thorax contact: stiffness, off 20 N/mm"},
