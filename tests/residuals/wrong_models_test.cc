@@ -130,6 +130,13 @@ ModelFault ConnectSoftened(double time_constant_s, double damping_ratio) {
     solref[1] = damping_ratio;
   };
 }
+ModelFault ThoraxStiffened(double factor) {
+  return [=](mjModel& model) {
+    for (int i = 0; i < model.npair; ++i) {
+      model.pair_solref[mjNREF * i] *= factor;
+    }
+  };
+}
 ModelFault KeyframeMoved(const std::string& key, const std::string& joint, double by) {
   return [=](mjModel& model) {
     model.key_qpos[model.nq * IdOf(model, mjOBJ_KEY, key) +
@@ -268,6 +275,7 @@ std::vector<WrongModel> WrongModels() {
   const ModelKind loop = ModelKind::kLoop;
   const ModelKind scapula_leads = ModelKind::kScapulaLeads;
   const ModelKind contact = ModelKind::kContact;
+  const ModelKind small = ModelKind::kSmallContact;
   constexpr int kX = 0;
   constexpr int kY = 1;
   return {
@@ -402,12 +410,9 @@ std::vector<WrongModel> WrongModels() {
        [](mjModel& model) { model.tendon_limited[IdOf(model, mjOBJ_TENDON, "trapezoid_r")] = 0; }},
 
       // The thorax.
-      {"ThoraxSoft", contact, Lines{"thorax contact: stiffness, off 20 N/mm"},
-       [](mjModel& model) {
-         for (int i = 0; i < model.npair; ++i) {
-           model.pair_solref[mjNREF * i] *= 0.7;
-         }
-       }},
+      {"ThoraxSoft", contact, Lines{StiffnessLineOf(contact)}, ThoraxStiffened(0.7)},
+      {"ThoraxSoftOfASmallPerson", small, Lines{StiffnessLineOf(small)}, ThoraxStiffened(0.7)},
+      {"ThoraxStiffOfASmallPerson", small, Lines{StiffnessLineOf(small)}, ThoraxStiffened(1.4)},
       {"ThoraxElsewhere", contact, Lines{"thorax contact: depth against the anatomy's"},
        [](mjModel& model) { model.geom_size[3 * IdOf(model, mjOBJ_GEOM, "gliding_r")] += 1e-4; }},
   };
@@ -430,13 +435,14 @@ class WrongModelTest : public EngineTest, public testing::WithParamInterface<Wro
 
 TEST_P(WrongModelTest, FailsInTheseLinesAlone) {
   const WrongModel& wrong = GetParam();
+  const Anatomy anatomy = AnatomyOf(wrong.kind);
   const ShoulderModelOptions options = ModelOptionsOf(wrong.kind);
   ShoulderRhythm rhythm = BuiltInRhythm(RhythmOptionsOf(wrong.kind));
   if (wrong.table) {
     rhythm =
         ShoulderRhythm(WithFault(rhythm.table(), wrong.table), rhythm.options(), rhythm.ranges());
   }
-  std::string xml = ShoulderModelXml(BuiltInAnatomy(), rhythm, options);
+  std::string xml = ShoulderModelXml(anatomy, rhythm, options);
   if (wrong.xml) {
     xml = wrong.xml(std::move(xml));
   }
@@ -446,7 +452,7 @@ TEST_P(WrongModelTest, FailsInTheseLinesAlone) {
   }
   ShoulderSimulation simulation(std::move(model), "shoulder.xml");
   const ResidualReport report =
-      MeasureResiduals(simulation, {rhythm, options.assembly}, BuiltInAnatomy(), [](double) {});
+      MeasureResiduals(simulation, {rhythm, options.assembly}, anatomy, [](double) {});
   Lines failed;
   std::string values;
   for (const Residual& line : report.residuals) {
