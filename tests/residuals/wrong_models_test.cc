@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <glm/gtc/quaternion.hpp>
@@ -128,6 +129,19 @@ ModelFault ConnectSoftened(double time_constant_s, double damping_ratio) {
     mjtNum* const solref = model.eq_solref + mjNREF * IdOf(model, mjOBJ_EQUALITY, "AC_r");
     solref[0] = time_constant_s;
     solref[1] = damping_ratio;
+  };
+}
+// A body's principal moments in another order, with or without their axes.
+ModelFault MomentsPermuted(const std::string& body, bool with_axes) {
+  return [=](mjModel& model) {
+    const int id = IdOf(model, mjOBJ_BODY, body);
+    mjtNum* const moments_kg_m2 = model.body_inertia + 3 * id;
+    std::rotate(moments_kg_m2, moments_kg_m2 + 1, moments_kg_m2 + 3);
+    if (with_axes) {
+      // The first axis is the bone's second one, and so on.
+      std::fill_n(model.body_iquat + 4 * id, 4, 0.5);
+      model.body_sameframe[id] = mjSAMEFRAME_NONE;
+    }
   };
 }
 ModelFault ThoraxStiffened(double factor) {
@@ -302,6 +316,10 @@ std::vector<WrongModel> WrongModels() {
        [](mjModel& model) {
          model.body_inertia[3 * IdOf(model, mjOBJ_BODY, "clavicle_r")] += 1e-8;
        }},
+      // Sound: the second axis has the moment about the bone's third one, and so on.
+      {"AxesOfMomentsPermuted", tree, Lines{}, MomentsPermuted("scapula_r", true)},
+      {"MomentsPermutedAlone", tree, Bones({"moments of inertia"}),
+       MomentsPermuted("scapula_r", false)},
       {"TurnedMoments", tree, Bones({"moments of inertia"}),
        [](mjModel& model) {
          mjtNum* const q = model.body_iquat + 4 * IdOf(model, mjOBJ_BODY, "humerus_r");
