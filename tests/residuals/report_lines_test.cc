@@ -126,7 +126,7 @@ std::vector<ReportLine> LinesOf(ModelKind kind) {
                 : "<= 5");
   add("scapulothoracic: TS, AI to ellipsoid, worst", "mm", is_small ? "<= 14.9123" : "<= 17");
   if (!is_published) {
-    add("scapulothoracic: the same outside measured data", "mm", "stated");
+    add("scapulothoracic: TS, AI to ellipsoid, outside measured data", "mm", "stated");
   }
 
   if (has_contact) {
