@@ -3,15 +3,10 @@
 
 #include "mjcf/model_plan.h"
 
-#include <algorithm>
-#include <cmath>
 #include <stdexcept>
 #include <string>
 
-#include "anatomy/built_in_anatomy.h"
 #include "anatomy/posed_bones.h"
-#include "anatomy/postures.h"
-#include "kinematics/lengths.h"
 #include "names/joint_dynamics.h"
 #include "rhythm_tables/rhythm_table_csv.h"
 #include "text/number_text.h"
@@ -52,38 +47,6 @@ void CheckTable(const ModelPlan& plan) {
   }
 }
 
-// Calls `visit(command)` all over a domain, a degree apart.
-template <typename Visit>
-void ForEachCommand(const ArmRectangle& domain, const Visit& visit) {
-  constexpr double kStep_rad = kRadiansPerDegree;
-  const auto steps = [](double from_rad, double to_rad) {
-    return static_cast<int>(std::ceil((to_rad - from_rad) / kStep_rad - 0.5));
-  };
-  const int planes = steps(domain.first_plane_rad, domain.last_plane_rad);
-  const int elevations = steps(domain.lowest_elevation_rad, domain.highest_elevation_rad);
-  for (int j = 0; j <= planes; ++j) {
-    for (int i = 0; i <= elevations; ++i) {
-      visit(ArmCommand{domain.lowest_elevation_rad + i * kStep_rad,
-                       domain.first_plane_rad + j * kStep_rad});
-    }
-  }
-}
-
-void TakeLonger(const Anatomy& anatomy, const ShoulderPose& pose, LigamentLengths& longest_m) {
-  for (std::size_t i = 0; i < kLigamentCount; ++i) {
-    longest_m[i] = std::max(longest_m[i], LigamentLength_m(anatomy.ligaments[i], anatomy, pose));
-  }
-}
-
-// The anatomy's slack, or the longest length rounded up.
-LigamentLengths SlackFor(const Anatomy& anatomy, const LigamentLengths& longest_m) {
-  LigamentLengths slack_m{};
-  for (std::size_t i = 0; i < kLigamentCount; ++i) {
-    slack_m[i] = std::max(anatomy.ligaments[i].slack_m, RoundedUpLength_m(longest_m[i]));
-  }
-  return slack_m;
-}
-
 void CheckRanges(const ModelPlan& plan, const ArmCommand& used, const JointAngles& angles_rad) {
   for (std::size_t k = 0; k < kCoordinateCount; ++k) {
     const CoordinateRange& range = plan.RangeOf(k);
@@ -107,15 +70,10 @@ void CheckRanges(const ModelPlan& plan, const ArmCommand& used, const JointAngle
 // Checks the ranges, and returns the ligaments' slack, both wherever the rhythm goes: most of
 // writing's time is spent here.
 LigamentLengths SurveyRhythm(const ModelPlan& plan) {
-  LigamentLengths longest_m{};
-  TakeLonger(plan.anatomy, HangingIn(RelaxedStanding(), plan.rhythm()), longest_m);
-  ForEachCommand(plan.rhythm().domain(), [&](const ArmCommand& command) {
-    ArmCommand used;
-    const ShoulderPose pose = plan.assembled.SolvePose(command, &used);
-    CheckRanges(plan, used, DrivenAngles(plan.options.assembly, pose));
-    TakeLonger(plan.anatomy, pose, longest_m);
-  });
-  return SlackFor(plan.anatomy, longest_m);
+  return SlackFor_m(plan.anatomy, plan.assembled,
+                    [&plan](const ArmCommand& used, const ShoulderPose& pose) {
+                      CheckRanges(plan, used, DrivenAngles(plan.options.assembly, pose));
+                    });
 }
 
 }  // namespace

@@ -9,12 +9,11 @@
 #include <string_view>
 #include <vector>
 
+#include "anatomy/ligament_slack.h"
 #include "kinematics/assembled_rhythm.h"
 #include "mjcf/shoulder_model.h"
 
 namespace girdle {
-
-using LigamentLengths = std::array<double, kLigamentCount>;  ///< [m], in the order of LigamentName
 
 /// Anatomy and options have to outlive it.
 struct ModelPlan {

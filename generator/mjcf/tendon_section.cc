@@ -6,7 +6,7 @@
 #include <array>
 #include <string_view>
 
-#include "kinematics/lengths.h"
+#include "anatomy/ligament_slack.h"
 
 namespace girdle {
 
@@ -22,8 +22,7 @@ void WriteLigaments(const ModelPlan& plan, XmlElement root) {
               .Set("class", "girdle")
               .Set("stiffness", ligament.stiffness_N_per_m)
               .Set("springlength", std::array{0.0, plan.slack_m[i]})
-              .Set("range", std::array{0.0, RoundedLength_m(plan.slack_m[i] +
-                                                            ligament.failure_elongation_m)});
+              .Set("range", std::array{0.0, TearingLength_m(ligament, plan.slack_m[i])});
       for (const Segment segment : {Segment::kClavicle, Segment::kScapula}) {
         const std::string_view bone = Name(segment);
         spatial.Add("site").Set("site", SidedName(LigamentEndName(kLigamentNames[i], bone), side));

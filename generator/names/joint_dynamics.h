@@ -61,14 +61,20 @@ inline constexpr double kThoraxContactStiffness_N_per_m = 20'000;
 inline constexpr double kThoraxContactImpedance = 0.5;
 inline constexpr std::array<double, 3> kThoraxContactSolimp = {kThoraxContactImpedance,
                                                                kThoraxContactImpedance, 0.001};
+/// Inverse weights [1/kg] of the built-in scapula, where it hangs from the clavicle and where it
+/// hangs from the thorax.
+inline constexpr double kTreeInverseWeight_per_kg = 0.265;
+inline constexpr double kLoopInverseWeight_per_kg = 0.603;
 /// (-s, -b) for the inverse weight of a scapula, with b given.
 [[nodiscard]] constexpr std::array<double, 2> ThoraxContactSolref(double inverse_weight_per_kg,
                                                                   double damping_per_s) noexcept {
   return {-(1 - kThoraxContactImpedance) * kThoraxContactStiffness_N_per_m * inverse_weight_per_kg,
           -damping_per_s};
 }
-/// Of the built-in scapula, where it hangs from the clavicle and where it hangs from the thorax.
-inline constexpr std::array<double, 2> kTreeThoraxContactSolref = ThoraxContactSolref(0.265, 73);
-inline constexpr std::array<double, 2> kLoopThoraxContactSolref = ThoraxContactSolref(0.603, 110);
+/// Of the built-in scapula.
+inline constexpr std::array<double, 2> kTreeThoraxContactSolref =
+    ThoraxContactSolref(kTreeInverseWeight_per_kg, 73);
+inline constexpr std::array<double, 2> kLoopThoraxContactSolref =
+    ThoraxContactSolref(kLoopInverseWeight_per_kg, 110);
 
 }  // namespace girdle

@@ -26,10 +26,9 @@
 namespace girdle {
 namespace {
 
-constexpr const char* kBones = "bones";
-
-// Of masses [kg] and moments of inertia [kg m^2]: a millionth of a gram. The model holds 17 digits.
-constexpr double kExactMass = 1e-9;
+// A millionth of a gram, and of a gram over a square meter. The model holds 17 digits.
+constexpr double kExact_kg = 1e-9;
+constexpr double kExact_kg_m2 = 1e-9;
 
 // The anatomy's principal axes are the bone's own. A tensor on them is its own mirror image.
 double InertiaOff_kg_m2(const mjModel& model, int body, const Vector3& wanted_kg_m2) {
@@ -62,10 +61,11 @@ class BonesGroup : public ResidualGroup {
   }
 
   void AddLines(std::vector<Residual>& lines) override {
-    lines.push_back(landmarks_mm_.Worst(kBones, "landmarks", "mm", kExact_mm));
-    lines.push_back(masses_kg_.Worst(kBones, "masses", "kg", kExactMass));
-    lines.push_back(centers_mm_.Worst(kBones, "centres of mass", "mm", kExact_mm));
-    lines.push_back(inertias_kg_m2_.Worst(kBones, "moments of inertia", "kg m^2", kExactMass));
+    lines.push_back(landmarks_mm_.Worst(kBonesGroup, "landmarks", "mm", kExact_mm));
+    lines.push_back(masses_kg_.Worst(kBonesGroup, "masses", "kg", kExact_kg));
+    lines.push_back(centers_mm_.Worst(kBonesGroup, "centres of mass", "mm", kExact_mm));
+    lines.push_back(
+        inertias_kg_m2_.Worst(kBonesGroup, "moments of inertia", "kg m^2", kExact_kg_m2));
   }
 
  private:

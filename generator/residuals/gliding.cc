@@ -64,8 +64,8 @@ class GlidingGroup : public ResidualGroup {
     lines.push_back(measured_mm_.Worst(kGliding, "TS, AI to ellipsoid, worst", "mm",
                                        tolerance_mm(kGlidingWorst_mm)));
     if (!modelled_mm_.empty()) {
-      lines.push_back(
-          modelled_mm_.Worst(kGliding, "the same outside measured data", "mm", std::nullopt));
+      lines.push_back(modelled_mm_.Worst(kGliding, "TS, AI to ellipsoid, outside measured data",
+                                         "mm", std::nullopt));
     }
   }
 

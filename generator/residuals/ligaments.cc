@@ -5,13 +5,17 @@
 //
 //     length against the bones   l - |p_TA - p_TB|,  the anatomy's attachments in the splines' pose
 //     beyond slack               max(0, l - l_slack),  l_slack the model's own
+//     slack, stiffness, range    of the tendon in MuJoCo minus those that the anatomy has for the
+//                                rhythm (ligament_slack.h); springs and ranges begin at no length
 //
 // Lengths and forces over everything that is visited are stated.
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <string>
 
+#include "anatomy/ligament_slack.h"
 #include "anatomy/posed_bones.h"
 #include "kinematics/lengths.h"
 #include "residuals/extreme.h"
@@ -28,6 +32,9 @@ constexpr const char* kLigaments = "ligaments";
 // does: 3 deg of AC, 40 mm off the attachments, would be 2 mm. A tenth of a millimetre, 5 N, is
 // what slack was rounded to.
 constexpr double kStretched_mm = 0.1;
+
+// Stiffness is read from the model with 17 digits: 50 N/mm to a thousandth of a newton per meter.
+constexpr double kExact_N_per_mm = 1e-6;
 
 // What one ligament does over poses and motions.
 struct LigamentExtremes {
@@ -48,6 +55,10 @@ class LigamentsGroup : public ResidualGroup {
       Add(pose.state, pose.name);
     }
     if (pose.kind == PoseKind::kAtTargets) {
+      // A tendon's parameters are the same in all poses: the first one is enough.
+      if (slack_off_mm_.empty()) {
+        AddParameters(pose.command);
+      }
       for (std::size_t i = 0; i < kLigamentCount; ++i) {
         const double wanted_m =
             LigamentLength_m(shoulder_.anatomy.ligaments[i], shoulder_.anatomy, pose.wanted);
@@ -60,6 +71,12 @@ class LigamentsGroup : public ResidualGroup {
   void AddLines(std::vector<Residual>& lines) override {
     lines.push_back(
         against_bones_mm_.Worst(kLigaments, "lengths against the bones", "mm", kExact_mm));
+    lines.push_back(
+        slack_off_mm_.Worst(kLigaments, "slack against the anatomy's", "mm", kExact_mm));
+    lines.push_back(stiffness_off_N_per_mm_.Worst(kLigaments, "stiffness against the anatomy's",
+                                                  "N/mm", kExact_N_per_mm));
+    lines.push_back(
+        range_off_mm_.Worst(kLigaments, "range against the anatomy's", "mm", kExact_mm));
     for (std::size_t i = 0; i < kLigamentCount; ++i) {
       AddLinesOf(lines, std::string(kLigamentNames[i]), shoulder_.anatomy.ligaments[i],
                  ligaments_[i]);
@@ -84,6 +101,30 @@ class LigamentsGroup : public ResidualGroup {
     }
   }
 
+  void AddParameters(const ArmCommand& command) {
+    const Anatomy& anatomy = shoulder_.anatomy;
+    const mjModel& model = shoulder_.simulation.model();
+    const LigamentLengths slack_m = SlackFor_m(anatomy, shoulder_.rhythm);
+    for (std::size_t i = 0; i < kLigamentCount; ++i) {
+      const Ligament& ligament = anatomy.ligaments[i];
+      const std::string_view name = kLigamentNames[i];
+      const int tendon = shoulder_.simulation.elements().tendons[i];
+      const mjtNum* const spring_m = model.tendon_lengthspring + 2 * tendon;
+      slack_off_mm_.Add(kMillimetersPerMeter * spring_m[0], name, command);
+      slack_off_mm_.Add(kMillimetersPerMeter * (spring_m[1] - slack_m[i]), name, command);
+      stiffness_off_N_per_mm_.Add(
+          (model.tendon_stiffness[tendon] - ligament.stiffness_N_per_m) / kMillimetersPerMeter,
+          name, command);
+      // A tendon whose range is off may become as long as it likes.
+      const mjtNum* const range_m = model.tendon_range + 2 * tendon;
+      const double end_m =
+          model.tendon_limited[tendon] ? range_m[1] : std::numeric_limits<double>::infinity();
+      range_off_mm_.Add(kMillimetersPerMeter * range_m[0], name, command);
+      range_off_mm_.Add(kMillimetersPerMeter * (end_m - TearingLength_m(ligament, slack_m[i])),
+                        name, command);
+    }
+  }
+
   static void AddLinesOf(std::vector<Residual>& lines, const std::string& name,
                          const Ligament& ligament, const LigamentExtremes& extremes) {
     const auto millimeters = [](double length_m) {
@@ -104,6 +145,9 @@ class LigamentsGroup : public ResidualGroup {
 
   MeasuredShoulder shoulder_;
   Extreme against_bones_mm_;
+  Extreme slack_off_mm_;
+  Extreme stiffness_off_N_per_mm_;
+  Extreme range_off_mm_;
   std::array<LigamentExtremes, kLigamentCount> ligaments_;
 };
 

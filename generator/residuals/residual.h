@@ -23,6 +23,9 @@ enum class Bound {
 inline constexpr std::array<std::string_view, 2> kBoundNames = {"at most", "more than"};
 constexpr const auto& WordsOf(Bound /*which*/) noexcept { return kBoundNames; }
 
+/// Group of the lines that fail where a model has other bones than the anatomy that was said.
+inline constexpr const char* kBonesGroup = "bones";
+
 /// One line of the report.
 struct Residual {
   std::string group;  ///< what is checked: "joint constraint"

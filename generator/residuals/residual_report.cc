@@ -46,14 +46,15 @@ std::string ReportAsText(const ResidualReport& report) {
                                     [](const Residual& residual) { return !residual.passed(); });
   const bool are_bones_others = std::any_of(
       report.residuals.begin(), report.residuals.end(),
-      [](const Residual& residual) { return residual.group == "bones" && !residual.passed(); });
+      [](const Residual& residual) { return residual.group == kBonesGroup && !residual.passed(); });
   return text + "\n" +
          (are_bones_others ? "the bones are not those of the anatomy that was said: verify a model "
                              "with the --anatomy, --thorax, --stature\nand so on that it was "
                              "generated with\n"
                            : "") +
-         (failed == 0 ? "all residuals within their tolerances"
-                      : std::to_string(failed) + " residuals outside their tolerances") +
+         (failed == 0   ? "all residuals within their tolerances"
+          : failed == 1 ? "1 residual outside its tolerance"
+                        : std::to_string(failed) + " residuals outside their tolerances") +
          "\n";
 }
 

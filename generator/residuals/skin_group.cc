@@ -11,7 +11,8 @@
 namespace girdle {
 namespace {
 
-// Of a skin that moves, every so many steps: what MuJoCo makes of it depends on the pose alone.
+// Of a skin that is under way, every so many steps: what MuJoCo makes of it depends on the pose
+// alone. At a motion's first step nothing has moved.
 constexpr int kSkinSteps = 50;
 
 class SkinGroup : public ResidualGroup {
@@ -20,7 +21,7 @@ class SkinGroup : public ResidualGroup {
       : meter_(simulation, shoulder.rhythm, shoulder.anatomy, girdle) {}
 
   void TakeStep(const SteppedState& step) override {
-    if (step.phase != StepPhase::kCycling && step.number % kSkinSteps == 0) {
+    if (step.phase == StepPhase::kMoving && step.number > 0 && step.number % kSkinSteps == 0) {
       meter_.CompareMoving(step.motion, step.state.command);
     }
   }

@@ -154,7 +154,7 @@ def test_landmarks_of_one_bone_that_move_against_each_other_fail(
     )
     finished = girdle("verify", model, "--mapping", mapping, *GRID)
     assert finished.code == ABOVE_TOLERANCE, finished.message
-    assert "1 residuals outside their tolerances" in finished.text
+    assert "1 residual outside its tolerance" in finished.text
 
 
 BAD_INPUT: dict[str, tuple[tuple[str, str], str]] = {

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "anatomy/body_size.h"
 #include "anatomy/built_in_anatomy.h"
 #include "kinematics/words.h"
 #include "mjcf/shoulder_model.h"
@@ -26,12 +27,15 @@ enum class ModelKind {
   kScapulaLeads,
   kContact,  ///< a tree with thorax contact
   kLoopContact,
+  kSmallContact,  ///< a tree with thorax contact, of a person of kSmallStature_m
 };
-inline constexpr std::array kModelKinds = {ModelKind::kTree,    ModelKind::kPublished,
-                                           ModelKind::kLoop,    ModelKind::kScapulaLeads,
-                                           ModelKind::kContact, ModelKind::kLoopContact};
+inline constexpr std::array kModelKinds = {
+    ModelKind::kTree,    ModelKind::kPublished,   ModelKind::kLoop,        ModelKind::kScapulaLeads,
+    ModelKind::kContact, ModelKind::kLoopContact, ModelKind::kSmallContact};
 inline constexpr std::array<std::string_view, kModelKinds.size()> kModelKindNames = {
-    "Tree", "Published", "Loop", "LoopScapulaLeads", "Contact", "LoopContact"};
+    "Tree", "Published", "Loop", "LoopScapulaLeads", "Contact", "LoopContact", "SmallContact"};
+
+inline constexpr double kSmallStature_m = 1.5;
 
 constexpr const auto& WordsOf(ModelKind /*which*/) noexcept { return kModelKindNames; }
 [[nodiscard]] inline bool IsLoop(ModelKind kind) {
@@ -39,7 +43,13 @@ constexpr const auto& WordsOf(ModelKind /*which*/) noexcept { return kModelKindN
          kind == ModelKind::kLoopContact;
 }
 [[nodiscard]] inline bool HasContact(ModelKind kind) {
-  return kind == ModelKind::kContact || kind == ModelKind::kLoopContact;
+  return kind == ModelKind::kContact || kind == ModelKind::kLoopContact ||
+         kind == ModelKind::kSmallContact;
+}
+[[nodiscard]] inline Anatomy AnatomyOf(ModelKind kind) {
+  return kind == ModelKind::kSmallContact
+             ? ScaledAnatomy(BuiltInAnatomy(), {.stature_m = kSmallStature_m})
+             : BuiltInAnatomy();
 }
 
 [[nodiscard]] inline ShoulderModelOptions ModelOptionsOf(ModelKind kind) {
@@ -70,6 +80,8 @@ struct ReportLine {
 [[nodiscard]] ReportLine LineOf(const Residual& residual);
 [[nodiscard]] std::string TextOf(const std::vector<ReportLine>& lines);
 
+/// Name of the line on how hard the thorax pushes, of a kind with thorax contact.
+[[nodiscard]] std::string StiffnessLineOf(ModelKind kind);
 /// Returns the lines of a kind of model, in their order. Those of a skin come after them.
 [[nodiscard]] std::vector<ReportLine> LinesOf(ModelKind kind);
 

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "anatomy/body_size.h"
 #include "anatomy/built_in_anatomy.h"
 #include "mjcf/shoulder_model.h"
 #include "residuals/residual_report.h"
@@ -67,7 +68,22 @@ TEST(ResidualReport, SaysWhatFailed) {
   const std::string text = ReportAsText(report);
   EXPECT_NE(text.find("FAIL"), std::string::npos) << text;
   EXPECT_NE(text.find("stated"), std::string::npos) << text;
-  EXPECT_NE(text.find("1 residuals outside their tolerances"), std::string::npos) << text;
+  EXPECT_TRUE(text.ends_with("\n1 residual outside its tolerance\n")) << text;
+  report.residuals.push_back(report.residuals.front());
+  const std::string of_two = ReportAsText(report);
+  EXPECT_TRUE(of_two.ends_with("\n2 residuals outside their tolerances\n")) << of_two;
+}
+
+// Most likely the anatomy that the model was made with was not said.
+TEST(ResidualReport, SaysWhatToDoWhereTheBonesAreOthers) {
+  const std::string hint = "the bones are not those of the anatomy that was said";
+  ResidualReport report;
+  report.residuals = {{kBonesGroup, "landmarks", 2, "mm", 1, "EL"},
+                      {"closure", "plane", 2, "deg", 1, "flexion"}};
+  EXPECT_NE(ReportAsText(report).find(hint), std::string::npos) << ReportAsText(report);
+  report.residuals.front().value = 0.5;
+  EXPECT_FALSE(report.passed());
+  EXPECT_EQ(ReportAsText(report).find(hint), std::string::npos) << ReportAsText(report);
 }
 
 TEST(ResidualReport, SaysWhichLinesAreNoChecksOfTheirOwn) {
@@ -198,14 +214,26 @@ TEST_F(MeasureResidualsTest, StatesTheGlidingOutsideMeasuredData) {
   const ShoulderRhythm whole = BuiltInRhythm();
   const Residual* stated = nullptr;
   const ResidualReport report = Measure(whole, whole);
-  stated = Find(report, "the same outside measured data");
+  stated = Find(report, "TS, AI to ellipsoid, outside measured data");
   ASSERT_NE(stated, nullptr);
   EXPECT_FALSE(stated->tolerance);
   const ShoulderRhythm clamped =
       BuiltInRhythm({Interpolation::kSmooth, Closure::kExact, Range::kClamp});
   const ResidualReport within = Measure(clamped, clamped);
-  EXPECT_EQ(Find(within, "the same outside measured data"), nullptr);
+  EXPECT_EQ(Find(within, "TS, AI to ellipsoid, outside measured data"), nullptr);
   EXPECT_EQ(Find(within, "farthest from measured data"), nullptr);
+}
+
+// The group that reports other bones is the one that the report's hint is for.
+TEST_F(MeasureResidualsTest, SaysWhatToDoWithAModelOfOtherBones) {
+  const ShoulderRhythm rhythm = BuiltInRhythm();
+  const Anatomy small = ScaledAnatomy(BuiltInAnatomy(), {.stature_m = 1.5});
+  ShoulderSimulation simulation(
+      LoadModel({{"shoulder.xml", ShoulderModelXml(small, rhythm, {.table = std::nullopt})}}),
+      "shoulder.xml");
+  const std::string text = ReportAsText(
+      MeasureResiduals(simulation, {rhythm, Assembly::kTree}, BuiltInAnatomy(), [](double) {}));
+  EXPECT_NE(text.find("that it was generated with"), std::string::npos) << text;
 }
 
 TEST_F(MeasureResidualsTest, TakesModelsWithOffsetsAndRates) {
@@ -234,6 +262,10 @@ TEST_F(MeasureResidualsTest, FindsTheClosureThatIsKnownOfTheTable) {
   EXPECT_NEAR(ValueOf(report, "plane, from elevation 30"), 23, 0.5);
   EXPECT_NEAR(ValueOf(report, "plane, below elevation 30"), 42, 0.5);
   EXPECT_NEAR(ValueOf(report, "published ST, rms"), 2.03, 0.005);
+  // Three planes of 22 elevations.
+  const Residual* const published = Find(report, "published ST, rms");
+  ASSERT_NE(published, nullptr);
+  EXPECT_EQ(published->where, "66 values");
 }
 
 }  // namespace

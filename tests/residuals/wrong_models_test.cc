@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <glm/gtc/quaternion.hpp>
@@ -102,11 +103,52 @@ ModelFault SlackShortened(const std::string& ligament, double by_m) {
     model.tendon_lengthspring[2 * id + 1] -= by_m;
   };
 }
+// A number of a ligament that MuJoCo holds, one or two of them for each tendon.
+ModelFault TendonSet(const std::string& ligament, mjtNum* mjModel::*values, int of_each, int which,
+                     double value) {
+  return [=](mjModel& model) {
+    (model.*values)[of_each * IdOf(model, mjOBJ_TENDON, ligament) + which] = value;
+  };
+}
+// An attribute of a ligament in the XML.
+XmlFault LigamentSays(const std::string& ligament, const std::string& attribute,
+                      const std::string& value) {
+  return [=](std::string xml) {
+    const std::size_t tendon = xml.find("<spatial name=\"" + ligament + "\"");
+    const std::string begin = " " + attribute + "=\"";
+    const std::size_t at = tendon == std::string::npos ? tendon : xml.find(begin, tendon);
+    if (at == std::string::npos) {
+      throw std::logic_error("the model's " + ligament + " says no " + attribute);
+    }
+    const std::size_t from = at + begin.size();
+    return xml.replace(from, xml.find('"', from) - from, value);
+  };
+}
 ModelFault ConnectSoftened(double time_constant_s, double damping_ratio) {
   return [=](mjModel& model) {
     mjtNum* const solref = model.eq_solref + mjNREF * IdOf(model, mjOBJ_EQUALITY, "AC_r");
     solref[0] = time_constant_s;
     solref[1] = damping_ratio;
+  };
+}
+// A body's principal moments in another order, with or without their axes.
+ModelFault MomentsPermuted(const std::string& body, bool with_axes) {
+  return [=](mjModel& model) {
+    const int id = IdOf(model, mjOBJ_BODY, body);
+    mjtNum* const moments_kg_m2 = model.body_inertia + 3 * id;
+    std::rotate(moments_kg_m2, moments_kg_m2 + 1, moments_kg_m2 + 3);
+    if (with_axes) {
+      // The first axis is the bone's second one, and so on.
+      std::fill_n(model.body_iquat + 4 * id, 4, 0.5);
+      model.body_sameframe[id] = mjSAMEFRAME_NONE;
+    }
+  };
+}
+ModelFault ThoraxStiffened(double factor) {
+  return [=](mjModel& model) {
+    for (int i = 0; i < model.npair; ++i) {
+      model.pair_solref[mjNREF * i] *= factor;
+    }
   };
 }
 ModelFault KeyframeMoved(const std::string& key, const std::string& joint, double by) {
@@ -247,6 +289,7 @@ std::vector<WrongModel> WrongModels() {
   const ModelKind loop = ModelKind::kLoop;
   const ModelKind scapula_leads = ModelKind::kScapulaLeads;
   const ModelKind contact = ModelKind::kContact;
+  const ModelKind small = ModelKind::kSmallContact;
   constexpr int kX = 0;
   constexpr int kY = 1;
   return {
@@ -273,6 +316,10 @@ std::vector<WrongModel> WrongModels() {
        [](mjModel& model) {
          model.body_inertia[3 * IdOf(model, mjOBJ_BODY, "clavicle_r")] += 1e-8;
        }},
+      // Sound: the second axis has the moment about the bone's third one, and so on.
+      {"AxesOfMomentsPermuted", tree, Lines{}, MomentsPermuted("scapula_r", true)},
+      {"MomentsPermutedAlone", tree, Bones({"moments of inertia"}),
+       MomentsPermuted("scapula_r", false)},
       {"TurnedMoments", tree, Bones({"moments of inertia"}),
        [](mjModel& model) {
          mjtNum* const q = model.body_iquat + 4 * IdOf(model, mjOBJ_BODY, "humerus_r");
@@ -352,18 +399,38 @@ std::vector<WrongModel> WrongModels() {
       // Ligaments.
       {"LigamentAttachedElsewhere", tree, Ligaments({"lengths against the bones"}),
        SiteMoved("conoid_scapula_r", kY)},
-      {"ConoidShort", tree, Ligaments({"conoid, beyond slack"}) + kReached,
+      {"ConoidShort", tree,
+       Ligaments({"conoid, beyond slack", "slack against the anatomy's"}) + kReached,
        SlackShortened("conoid_r", 2e-4)},
-      {"TrapezoidShort", tree, Ligaments({"trapezoid, beyond slack"}) + kReached,
+      {"TrapezoidShort", tree,
+       Ligaments({"trapezoid, beyond slack", "slack against the anatomy's"}) + kReached,
        SlackShortened("trapezoid_r", 2e-4)},
+      // A ligament that never pulls is never beyond slack.
+      {"ConoidNeverTaut", tree, Ligaments({"slack against the anatomy's"}), nullptr,
+       LigamentSays("conoid_r", "springlength", "0 1")},
+      {"TrapezoidLongerByAHundredthOfAMillimeter", loop, Ligaments({"slack against the anatomy's"}),
+       SlackShortened("trapezoid_r", -kShift_m)},
+      {"ConoidPushes", tree, Ligaments({"slack against the anatomy's"}),
+       TendonSet("conoid_r", &mjModel::tendon_lengthspring, 2, 0, 1e-4)},
+      {"ConoidWithoutStiffness", tree, Ligaments({"stiffness against the anatomy's"}), nullptr,
+       LigamentSays("conoid_r", "stiffness", "0")},
+      {"TrapezoidStiffer", tree, Ligaments({"stiffness against the anatomy's"}),
+       [](mjModel& model) {
+         model.tendon_stiffness[IdOf(model, mjOBJ_TENDON, "trapezoid_r")] *= 1 + 1e-6;
+       }},
+      {"ConoidTearsEarly", tree, Ligaments({"range against the anatomy's"}),
+       [](mjModel& model) {
+         model.tendon_range[2 * IdOf(model, mjOBJ_TENDON, "conoid_r") + 1] -= kShift_m;
+       }},
+      {"TrapezoidHoldsFromSomeLength", tree, Ligaments({"range against the anatomy's"}),
+       TendonSet("trapezoid_r", &mjModel::tendon_range, 2, 0, kShift_m)},
+      {"TrapezoidNeverTears", tree, Ligaments({"range against the anatomy's"}),
+       [](mjModel& model) { model.tendon_limited[IdOf(model, mjOBJ_TENDON, "trapezoid_r")] = 0; }},
 
       // The thorax.
-      {"ThoraxSoft", contact, Lines{"thorax contact: stiffness, off 20 N/mm"},
-       [](mjModel& model) {
-         for (int i = 0; i < model.npair; ++i) {
-           model.pair_solref[mjNREF * i] *= 0.7;
-         }
-       }},
+      {"ThoraxSoft", contact, Lines{StiffnessLineOf(contact)}, ThoraxStiffened(0.7)},
+      {"ThoraxSoftOfASmallPerson", small, Lines{StiffnessLineOf(small)}, ThoraxStiffened(0.7)},
+      {"ThoraxStiffOfASmallPerson", small, Lines{StiffnessLineOf(small)}, ThoraxStiffened(1.4)},
       {"ThoraxElsewhere", contact, Lines{"thorax contact: depth against the anatomy's"},
        [](mjModel& model) { model.geom_size[3 * IdOf(model, mjOBJ_GEOM, "gliding_r")] += 1e-4; }},
   };
@@ -386,13 +453,14 @@ class WrongModelTest : public EngineTest, public testing::WithParamInterface<Wro
 
 TEST_P(WrongModelTest, FailsInTheseLinesAlone) {
   const WrongModel& wrong = GetParam();
+  const Anatomy anatomy = AnatomyOf(wrong.kind);
   const ShoulderModelOptions options = ModelOptionsOf(wrong.kind);
   ShoulderRhythm rhythm = BuiltInRhythm(RhythmOptionsOf(wrong.kind));
   if (wrong.table) {
     rhythm =
         ShoulderRhythm(WithFault(rhythm.table(), wrong.table), rhythm.options(), rhythm.ranges());
   }
-  std::string xml = ShoulderModelXml(BuiltInAnatomy(), rhythm, options);
+  std::string xml = ShoulderModelXml(anatomy, rhythm, options);
   if (wrong.xml) {
     xml = wrong.xml(std::move(xml));
   }
@@ -402,7 +470,7 @@ TEST_P(WrongModelTest, FailsInTheseLinesAlone) {
   }
   ShoulderSimulation simulation(std::move(model), "shoulder.xml");
   const ResidualReport report =
-      MeasureResiduals(simulation, {rhythm, options.assembly}, BuiltInAnatomy(), [](double) {});
+      MeasureResiduals(simulation, {rhythm, options.assembly}, anatomy, [](double) {});
   Lines failed;
   std::string values;
   for (const Residual& line : report.residuals) {

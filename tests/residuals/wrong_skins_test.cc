@@ -17,6 +17,7 @@
 #include <utility>
 #include <vector>
 
+#include "residuals/residual_groups.h"
 #include "residuals/skin_residuals.h"
 #include "residuals/skinned_model.h"
 #include "simulation/engine_fixture.h"
@@ -250,6 +251,39 @@ TEST_F(WrongSkinTest, MakesEveryCheckedLineFail) {
     failed.insert(wrong.fails.begin(), wrong.fails.end());
   }
   EXPECT_EQ(failed, checked);
+}
+
+// A skin that was looked at only where it rests says nothing of one that moves.
+TEST_F(WrongSkinTest, MovingIsNotPassedByASkinThatRests) {
+  ShoulderSimulation simulation(LoadedShoulders(LoadModel(SkinnedModel()), "shoulder.xml"),
+                                AssembledRhythm(BuiltInRhythm(), Assembly::kTree));
+  const Anatomy anatomy = BuiltInAnatomy();
+  const MeasuredShoulder shoulder{simulation, simulation.rhythm(), anatomy};
+  const ResidualGroupPointer group = MakeSkinGroup(simulation, shoulder, GirdleMotion::kMeasured);
+  simulation.Start({});
+  const ShoulderState state = simulation.Step({});
+  const auto moving = [&group] {
+    std::vector<Residual> lines;
+    group->AddLines(lines);
+    const auto found = std::find_if(lines.begin(), lines.end(), [](const Residual& line) {
+      return line.item == "MuJoCo - linear blend, moving";
+    });
+    return found == lines.end() ? Residual{} : *found;
+  };
+  constexpr int kSecond = 1000;
+  group->TakeStep({"raising", StepPhase::kMoving, 0, state});
+  for (const StepPhase phase : {StepPhase::kSettling, StepPhase::kSettled, StepPhase::kCycling}) {
+    for (int number = 0; number < kSecond; ++number) {
+      group->TakeStep({"raising", phase, number, state});
+    }
+  }
+  EXPECT_TRUE(std::isnan(moving().value)) << moving().where;
+  EXPECT_FALSE(moving().passed());
+  for (int number = 0; number < kSecond; ++number) {
+    group->TakeStep({"raising", StepPhase::kMoving, number, state});
+  }
+  EXPECT_TRUE(moving().passed()) << moving().value;
+  EXPECT_TRUE(moving().where.starts_with("raising, ")) << moving().where;
 }
 
 // Of a vertex that is nowhere only its bones are known, and how the skin elsewhere moves.
