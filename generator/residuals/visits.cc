@@ -20,7 +20,7 @@ constexpr double kMoving_s = 3;
 constexpr double kSettling_s = 4;
 // Share of the rest at its end that counts as settled.
 constexpr double kSettledShare = 0.25;
-// Poses along a motion without dynamics: a degree apart or less.
+// Parts of a motion without dynamics: 3 deg apart at most, where it is fastest.
 constexpr int kPosesOfMotion = 128;
 // Where the standard motions end: people raise their arms to 150 +- 9 deg (Henninger, 20 people).
 constexpr double kRaised_rad = 150 * kRadiansPerDegree;

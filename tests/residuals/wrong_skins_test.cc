@@ -17,6 +17,7 @@
 #include <utility>
 #include <vector>
 
+#include "kinematics/lengths.h"
 #include "residuals/residual_groups.h"
 #include "residuals/skin_residuals.h"
 #include "residuals/skinned_model.h"
@@ -118,16 +119,15 @@ SkinFault BoundElsewhere(const std::string& body) {
       [=](LandmarkedSkin& landmarked) { BoneOf(landmarked.skin, body).bind.p_TB_m.x += kShift_m; };
 }
 
-// Skin within 3 cm of a landmark of the right shoulder is drawn to a tenth of its distance.
-SkinFault DrawnTo(Landmark landmark) {
+// Skin within 3 cm of a landmark of the right shoulder keeps a share of its distance.
+SkinFault DrawnTo(Landmark landmark, double kept = 0.1) {
   return [=](LandmarkedSkin& landmarked) {
     constexpr double kAround_m = 0.03;
-    constexpr double kKept = 0.1;
     const Vector3 center_m = OnSideInThorax_m(
         BuiltInAnatomy(), BindPose(landmarked.skin, Side::kRight).value(), Side::kRight, landmark);
     for (Vector3& vertex_m : landmarked.skin.surface.vertices_m) {
       if (glm::distance(vertex_m, center_m) < kAround_m) {
-        vertex_m = center_m + kKept * (vertex_m - center_m);
+        vertex_m = center_m + kept * (vertex_m - center_m);
       }
     }
   };
@@ -251,6 +251,59 @@ TEST_F(WrongSkinTest, MakesEveryCheckedLineFail) {
     failed.insert(wrong.fails.begin(), wrong.fails.end());
   }
   EXPECT_EQ(failed, checked);
+}
+
+// The skin about an elbow that hangs on the humerus alone is as far from it in every pose, and
+// nowhere is a landmark as shallow. With the skin as it is, no pose of the grid is shallower.
+TEST_F(WrongSkinTest, StatesTheLeastDepthOverAllPoses) {
+  WrongSkin wrong{"ElbowOnTheHumerus", {}};
+  wrong.skin = [](LandmarkedSkin& landmarked) {
+    constexpr double kAround_m = 0.06;
+    const Vector3 elbow_m =
+        OnSideInThorax_m(BuiltInAnatomy(), BindPose(landmarked.skin, Side::kRight).value(),
+                         Side::kRight, Landmark::kEL);
+    const std::vector<Vector3>& vertices_m = landmarked.skin.surface.vertices_m;
+    std::vector<int> about_elbow;
+    for (std::size_t i = 0; i < vertices_m.size(); ++i) {
+      if (glm::distance(vertices_m[i], elbow_m) < kAround_m) {
+        about_elbow.push_back(static_cast<int>(i));
+      }
+    }
+    HangOn("humerus_r", about_elbow, landmarked.skin);
+    // So near that no other landmark is nearer to the skin, in whatever pose.
+    DrawnTo(Landmark::kEL, 0.001)(landmarked);
+  };
+  const auto line = [](const std::vector<Residual>& lines, const std::string& item) {
+    const auto found = std::find_if(lines.begin(), lines.end(),
+                                    [&](const Residual& each) { return each.item == item; });
+    return found == lines.end() ? Residual{} : *found;
+  };
+  const std::vector<Residual> rigid = Measure(wrong);
+  const Residual bound = line(rigid, "depth of landmarks, bind pose");
+  const Residual posed = line(rigid, "depth of landmarks, all poses");
+  EXPECT_GT(bound.value, 0);
+  EXPECT_LT(bound.value, 3);
+  EXPECT_NEAR(posed.value, bound.value, 1e-6);
+  EXPECT_TRUE(posed.where.starts_with("EL, elevation ")) << posed.where;
+
+  const double least_mm = line(Measure({"Sound", {}}), "depth of landmarks, all poses").value;
+  const SkinOnBones on_bones(ImplicitSkin().skin, BuiltInAnatomy());
+  const ShoulderRhythm rhythm = BuiltInRhythm();
+  double shallowest_mm = std::numeric_limits<double>::infinity();
+  for (const double elevation_deg : {30, 60, 75, 90, 120, 150}) {
+    for (const double plane_deg : {0, 45, 90, 120}) {
+      const LandmarkDepths depths_m = LandmarkDepths_m(
+          on_bones,
+          rhythm.SolvePose({RadiansFromDegrees(elevation_deg), RadiansFromDegrees(plane_deg)}),
+          Side::kRight);
+      shallowest_mm =
+          std::min(shallowest_mm,
+                   kMillimetersPerMeter * *std::min_element(depths_m.begin(), depths_m.end()));
+    }
+  }
+  EXPECT_GT(least_mm, 0);
+  // The skin of a model is in single precision.
+  EXPECT_LE(least_mm, shallowest_mm + 1e-3);
 }
 
 // A skin that was looked at only where it rests says nothing of one that moves.
