@@ -98,7 +98,8 @@ class ThoraxContactGroup : public ResidualGroup {
   }
 
  private:
-  // The heavier the bones, the stiffer the contact.
+  // Not in proportion to mass: the armature of the servos counts too, the more the shorter the
+  // bones.
   [[nodiscard]] static double NewtonsPerMeterOf(const MeasuredShoulder& shoulder) {
     const int scapula =
         shoulder.simulation.elements().bodies[static_cast<std::size_t>(Segment::kScapula)];
