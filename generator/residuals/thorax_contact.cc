@@ -48,7 +48,7 @@ constexpr double NewtonsPerMillimeter(double stiffness_N_per_m) {
 class ThoraxContactGroup : public ResidualGroup {
  public:
   explicit ThoraxContactGroup(const MeasuredShoulder& shoulder)
-      : shoulder_(shoulder), stiffness_N_per_m_(StiffnessOf_N_per_m(shoulder)) {}
+      : shoulder_(shoulder), stiffness_N_per_m_(NewtonsPerMeterOf(shoulder)) {}
 
   void TakePose(const ShownPose& pose) override {
     if (pose.kind != PoseKind::kTableOnThorax) {
@@ -98,8 +98,9 @@ class ThoraxContactGroup : public ResidualGroup {
   }
 
  private:
-  // The heavier the bones, the stiffer the contact.
-  [[nodiscard]] static double StiffnessOf_N_per_m(const MeasuredShoulder& shoulder) {
+  // Not in proportion to mass: the armature of the servos counts too, the more the shorter the
+  // bones.
+  [[nodiscard]] static double NewtonsPerMeterOf(const MeasuredShoulder& shoulder) {
     const int scapula =
         shoulder.simulation.elements().bodies[static_cast<std::size_t>(Segment::kScapula)];
     // MuJoCo holds an inverse weight for forces and one for torques.

@@ -37,7 +37,7 @@ std::string TextOf(const std::vector<ReportLine>& lines) {
   return text;
 }
 
-// A lighter scapula is pushed out more softly.
+// How hard the scapula is pushed out goes with its inverse weight.
 std::string StiffnessLineOf(ModelKind kind) {
   return kind == ModelKind::kSmallContact ? "thorax contact: stiffness, off 19 N/mm"
                                           : "thorax contact: stiffness, off 20 N/mm";

@@ -57,6 +57,7 @@ TEST_F(StatedLinesTest, OfALigamentAreThoseOfAKnownStretch) {
     SCOPED_TRACE(name);
     const Ligament& ligament = anatomy.ligaments[i];
     std::vector<double> lengths_m;
+    lengths_m.reserve(commands.size());
     for (const ArmCommand& command : commands) {
       lengths_m.push_back(LigamentLength_m(ligament, anatomy, rhythm.SolvePose(command)));
     }

@@ -425,7 +425,9 @@ std::vector<WrongModel> WrongModels() {
       {"TrapezoidHoldsFromSomeLength", tree, Ligaments({"range against the anatomy's"}),
        TendonSet("trapezoid_r", &mjModel::tendon_range, 2, 0, kShift_m)},
       {"TrapezoidNeverTears", tree, Ligaments({"range against the anatomy's"}),
-       [](mjModel& model) { model.tendon_limited[IdOf(model, mjOBJ_TENDON, "trapezoid_r")] = 0; }},
+       [](mjModel& model) {
+         model.tendon_limited[IdOf(model, mjOBJ_TENDON, "trapezoid_r")] = false;
+       }},
 
       // The thorax.
       {"ThoraxSoft", contact, Lines{StiffnessLineOf(contact)}, ThoraxStiffened(0.7)},
