@@ -57,7 +57,8 @@ inline constexpr std::array<double, 3> kConnectSolimp = {0.99, 0.99, 0.001};
 inline constexpr double kThoraxContactStiffness_N_per_m = 20'000;
 /// With an impedance d, one number in solimp, MuJoCo's direct solref (-s, -b) gives F = s p / ((1 -
 /// d) w) at rest, w [1/kg] the scapula's inverse weight (body_invweight0), so that s = (1 - d) k w.
-/// For heavier bones than the built-in ones k is larger in proportion. b = 2 sqrt(s d) is critical.
+/// With other bones, and with other armature beside them, k goes with 1 / w. b = 2 sqrt(s d) is
+/// critical.
 inline constexpr double kThoraxContactImpedance = 0.5;
 inline constexpr std::array<double, 3> kThoraxContactSolimp = {kThoraxContactImpedance,
                                                                kThoraxContactImpedance, 0.001};

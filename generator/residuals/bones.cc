@@ -26,7 +26,7 @@
 namespace girdle {
 namespace {
 
-// A millionth of a gram, and of a gram over a square meter. The model holds 17 digits.
+// A millionth of a gram, and of a gram times a square meter. The model holds 17 digits.
 constexpr double kExact_kg = 1e-9;
 constexpr double kExact_kg_m2 = 1e-9;
 

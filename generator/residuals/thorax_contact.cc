@@ -5,12 +5,13 @@
 //
 //     stiffness  (force / depth - k) / k,  k = k_0 w_0 / w,  the deepest contact, where it is deep
 //                enough to tell; where none is, it is NaN and does not pass
+//     armature   of the joints / that of joint_dynamics.h - 1
 //     depth      of MuJoCo's contact - that of TS or AI in the anatomy's ellipsoid
 //     pushed     torque of the contact / stiffness of the joint's servo
 //
 // k_0 is 20 N/mm, and w_0 the inverse weight of the built-in scapula (joint_dynamics.h). w is the
 // inverse weight that MuJoCo computes of the model's masses, which the bones' lines check, and of
-// the servos' armature. Force, depth and what they push the joints off their targets by are stated.
+// the joints' armature. Force, depth and what they push the joints off their targets by are stated.
 
 #include <algorithm>
 #include <cstddef>
@@ -36,14 +37,12 @@ constexpr double kContactSurface_mm = 0.01;
 // By what share the contact's stiffness may be off where the pose changes what the scapula weighs
 // at TS and AI. In people from 0.9 to 2.1 m, and from 20 to 150 kg, it was off by up to 10 %.
 constexpr double kContactStiffness_percent = 20;
+// A number that MuJoCo reads from text.
+constexpr double kArmature_percent = 1e-6;
 constexpr double kPercent = 100;
 // Below this depth force over depth says little. At this depth what MuJoCo does not know of it is a
 // thousandth.
 constexpr double kDeepContact_m = 0.001;
-
-constexpr double NewtonsPerMillimeter(double stiffness_N_per_m) {
-  return stiffness_N_per_m / kMillimetersPerMeter;
-}
 
 class ThoraxContactGroup : public ResidualGroup {
  public:
@@ -68,6 +67,7 @@ class ThoraxContactGroup : public ResidualGroup {
           kPercent * (state.contact_force_N / depth_m / stiffness_N_per_m_ - 1));
     }
     add(surface_off_mm_, depth_mm - DepthInEllipsoid_mm(state));
+    AddArmature(pose.command);
     for (std::size_t k = 0; k < kCoordinateCount; ++k) {
       add(pushed_deg_[k / 3], DegreesFromRadians(state.pushed_rad[k]));
     }
@@ -75,16 +75,14 @@ class ThoraxContactGroup : public ResidualGroup {
 
   void AddLines(std::vector<Residual>& lines) override {
     lines.push_back(force_N_.Worst(kThoraxContact, "force on TS or AI", "N", std::nullopt));
-    constexpr int kDigits = 2;
-    lines.push_back(stiffness_off_percent_.Worst(
-        kThoraxContact,
-        "stiffness, off " + SignificantText(NewtonsPerMillimeter(stiffness_N_per_m_), kDigits) +
-            " N/mm",
-        "%", kContactStiffness_percent));
+    lines.push_back(stiffness_off_percent_.Worst(kThoraxContact, "stiffness against the bones'",
+                                                 "%", kContactStiffness_percent));
     if (stiffness_off_percent_.empty()) {
       lines.back().where = "not measured: no contact is deeper than " +
                            NumberText(kMillimetersPerMeter * kDeepContact_m) + " mm";
     }
+    lines.push_back(armature_off_percent_.Worst(kThoraxContact, "armature against the built-in's",
+                                                "%", kArmature_percent));
     lines.push_back(surface_off_mm_.Worst(kThoraxContact, "depth against the anatomy's", "mm",
                                           kContactSurface_mm));
     lines.push_back(
@@ -98,6 +96,24 @@ class ThoraxContactGroup : public ResidualGroup {
   }
 
  private:
+  void AddArmature(const ArmCommand& command) {
+    const mjModel& model = shoulder_.simulation.model();
+    const auto& bodies = shoulder_.simulation.elements().bodies;
+    for (int dof = 0; dof < model.nv; ++dof) {
+      const auto body = std::find(bodies.begin(), bodies.end(), model.dof_bodyid[dof]);
+      if (body == bodies.end()) {
+        continue;
+      }
+      // The thorax has no joints; the hinges of SC stand in the clavicle, and so on.
+      const auto joint = static_cast<std::size_t>(body - bodies.begin()) - 1;
+      const double built_in = model.jnt_type[model.dof_jntid[dof]] == mjJNT_SLIDE
+                                  ? kLeadingTranslation.armature_kg
+                                  : kJointDynamics.at(joint).armature_kg_m2;
+      armature_off_percent_.Add(kPercent * (model.dof_armature[dof] / built_in - 1),
+                                kSegmentNames.at(joint + 1), command);
+    }
+  }
+
   // Not in proportion to mass: the armature of the servos counts too, the more the shorter the
   // bones.
   [[nodiscard]] static double NewtonsPerMeterOf(const MeasuredShoulder& shoulder) {
@@ -127,6 +143,7 @@ class ThoraxContactGroup : public ResidualGroup {
   Extreme force_N_;
   Extreme depth_mm_;
   Extreme stiffness_off_percent_;
+  Extreme armature_off_percent_;
   Extreme surface_off_mm_;
   JointExtremes pushed_deg_;
 };

@@ -80,8 +80,8 @@ struct ReportLine {
 [[nodiscard]] ReportLine LineOf(const Residual& residual);
 [[nodiscard]] std::string TextOf(const std::vector<ReportLine>& lines);
 
-/// Name of the line on how hard the thorax pushes, of a kind with thorax contact.
-[[nodiscard]] std::string StiffnessLineOf(ModelKind kind);
+/// On how hard the thorax pushes, of a kind with thorax contact.
+inline constexpr const char* kContactStiffnessLine = "thorax contact: stiffness against the bones'";
 /// Returns the lines of a kind of model, in their order. Those of a skin come after them.
 [[nodiscard]] std::vector<ReportLine> LinesOf(ModelKind kind);
 

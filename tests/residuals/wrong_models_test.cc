@@ -430,9 +430,13 @@ std::vector<WrongModel> WrongModels() {
        }},
 
       // The thorax.
-      {"ThoraxSoft", contact, Lines{StiffnessLineOf(contact)}, ThoraxStiffened(0.7)},
-      {"ThoraxSoftOfASmallPerson", small, Lines{StiffnessLineOf(small)}, ThoraxStiffened(0.7)},
-      {"ThoraxStiffOfASmallPerson", small, Lines{StiffnessLineOf(small)}, ThoraxStiffened(1.4)},
+      {"ThoraxSoft", contact, Lines{kContactStiffnessLine}, ThoraxStiffened(0.7)},
+      {"ThoraxSoftOfASmallPerson", small, Lines{kContactStiffnessLine}, ThoraxStiffened(0.7)},
+      {"ThoraxStiffOfASmallPerson", small, Lines{kContactStiffnessLine}, ThoraxStiffened(1.4)},
+      {"ArmatureOff", contact, Lines{"thorax contact: armature against the built-in's"},
+       [](mjModel& model) {
+         model.dof_armature[model.jnt_dofadr[IdOf(model, mjOBJ_JOINT, "ac_tilt_r")]] *= 1 + 1e-6;
+       }},
       {"ThoraxElsewhere", contact, Lines{"thorax contact: depth against the anatomy's"},
        [](mjModel& model) { model.geom_size[3 * IdOf(model, mjOBJ_GEOM, "gliding_r")] += 1e-4; }},
   };
