@@ -16,9 +16,11 @@
 
 #include <array>
 #include <optional>
+#include <span>
 
 #include "kinematics/assembly.h"
 #include "kinematics/shoulder_rhythm.h"
+#include "kinematics/solve_many.h"
 #include "kinematics/surface_spline.h"
 
 namespace girdle {
@@ -69,5 +71,12 @@ class AssembledRhythm {
   ScapulothoracicRanges st_ranges_;
   std::optional<Correction> correction_;  ///< in a loop whose table has ST
 };
+
+/// SolveMany of solve_many.h for a rhythm as an assembly follows it: poses and used commands are
+/// those of AssembledRhythm::SolvePose, angles those that the assembly drives (DrivenAngles),
+/// origins and distances those of its ShoulderRhythm. Offsets and axial turns that the ranges of a
+/// loop bound are solved one after the other.
+void SolveMany(const AssembledRhythm& rhythm, std::span<const ArmCommand> commands,
+               const ManySolutions& solutions, const SolveManyOptions& options = {});
 
 }  // namespace girdle

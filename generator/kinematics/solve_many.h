@@ -17,15 +17,12 @@
 
 namespace girdle {
 
-class AssembledRhythm;
-
-/// Where the answers go. Element i of each span answers command i. A member that is left away is
-/// not computed. The spans must not overlap each other or the commands.
+/// Where the answers go. Element i of each span answers command i. A member may be left away. The
+/// spans must not overlap each other or the commands.
 struct ManySolutions {
   /// Rotations of SC, AC and GH (ShoulderSolution::pose).
   std::optional<std::span<ShoulderPose>> poses = std::nullopt;
-  /// Joint coordinates [rad] in the order of kCoordinateNames: AnglesFromPose of the pose. Of an
-  /// AssembledRhythm the coordinates that its assembly drives, as DrivenAngles.
+  /// Joint coordinates [rad] in the order of kCoordinateNames: AnglesFromPose of the pose.
   std::optional<std::span<JointAngles>> angles_rad = std::nullopt;
   /// The command that the pose answers [rad] (ShoulderSolution::used). It is clamped where it
   /// differs from the command given.
@@ -64,12 +61,6 @@ struct SolveManyOptions {
 /// size than `commands`, if there are no threads, or if the processor does not have the
 /// instructions. Where the system gives fewer threads than asked for, those do all the work.
 void SolveMany(const ShoulderRhythm& rhythm, std::span<const ArmCommand> commands,
-               const ManySolutions& solutions, const SolveManyOptions& options = {});
-
-/// The same for a rhythm as an assembly follows it: poses and used commands are those of
-/// AssembledRhythm::SolvePose, origins and distances those of its ShoulderRhythm. Offsets and axial
-/// turns that the ranges of a loop bound are solved one after the other.
-void SolveMany(const AssembledRhythm& rhythm, std::span<const ArmCommand> commands,
                const ManySolutions& solutions, const SolveManyOptions& options = {});
 
 }  // namespace girdle
