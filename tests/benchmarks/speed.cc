@@ -196,7 +196,7 @@ std::vector<ManyPoses> ManyPlaces() {
 std::string OneByOne(const std::string& place) { return place + ", one by one"; }
 std::string OneByOneAngles(const std::string& place) { return place + ", angles, one by one"; }
 std::string Many(const std::string& place, int threads) {
-  return place + ", SolveMany, " + (threads == 1 ? "one thread" : "two threads, wall time");
+  return place + (threads == 1 ? ", SolveMany, one thread" : ", SolveMany, two threads, wall time");
 }
 std::string ManyAngles(const std::string& place) { return place + ", angles, SolveMany"; }
 std::string RatesOneByOne(const std::string& place) {
