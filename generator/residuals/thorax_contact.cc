@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <optional>
 #include <string>
 
@@ -67,7 +68,10 @@ class ThoraxContactGroup : public ResidualGroup {
           kPercent * (state.contact_force_N / depth_m / stiffness_N_per_m_ - 1));
     }
     add(surface_off_mm_, depth_mm - DepthInEllipsoid_mm(state));
-    AddArmature(pose.command);
+    // A model's armature is the same in all poses: the first one is enough.
+    if (armature_off_percent_.empty()) {
+      AddArmature(pose.command);
+    }
     for (std::size_t k = 0; k < kCoordinateCount; ++k) {
       add(pushed_deg_[k / 3], DegreesFromRadians(state.pushed_rad[k]));
     }
@@ -99,13 +103,15 @@ class ThoraxContactGroup : public ResidualGroup {
   void AddArmature(const ArmCommand& command) {
     const mjModel& model = shoulder_.simulation.model();
     const auto& bodies = shoulder_.simulation.elements().bodies;
+    // The hinges of SC stand in the clavicle, and so on; joints of the thorax are not the
+    // shoulder's.
+    const auto first = std::next(bodies.begin());
     for (int dof = 0; dof < model.nv; ++dof) {
-      const auto body = std::find(bodies.begin(), bodies.end(), model.dof_bodyid[dof]);
+      const auto body = std::find(first, bodies.end(), model.dof_bodyid[dof]);
       if (body == bodies.end()) {
         continue;
       }
-      // The thorax has no joints; the hinges of SC stand in the clavicle, and so on.
-      const auto joint = static_cast<std::size_t>(body - bodies.begin()) - 1;
+      const auto joint = static_cast<std::size_t>(body - first);
       const double built_in = model.jnt_type[model.dof_jntid[dof]] == mjJNT_SLIDE
                                   ? kLeadingTranslation.armature_kg
                                   : kJointDynamics.at(joint).armature_kg_m2;

@@ -192,6 +192,21 @@ INSTANTIATE_TEST_SUITE_P(Kinds, ReportLinesTest, testing::ValuesIn(kModelKinds),
                            return std::string(Name(kind.param));
                          });
 
+class LeaningThoraxTest : public EngineTest {};
+
+// Somebody's thorax may have joints of its own, of which the shoulder's lines know nothing.
+TEST_F(LeaningThoraxTest, HasTheSameLinesAndTheShouldersArmature) {
+  const ShoulderRhythm rhythm = BuiltInRhythm();
+  std::string xml = ShoulderModelXml(BuiltInAnatomy(), rhythm, ModelOptionsOf(ModelKind::kContact));
+  const std::size_t thorax = xml.find("<body name=\"thorax\"");
+  ASSERT_NE(thorax, std::string::npos);
+  xml.insert(xml.find('>', thorax) + 1, "<joint name=\"lean\" axis=\"1 0 0\"/>");
+  const ResidualReport report =
+      Measured(LoadModel({{"shoulder.xml", xml}}), rhythm, Assembly::kTree);
+  EXPECT_EQ(TextOf(LinesOf(report)), TextOf(girdle::LinesOf(ModelKind::kContact)));
+  EXPECT_EQ(FailedLines(report).find("armature"), std::string::npos) << FailedLines(report);
+}
+
 class SkinnedReportTest : public EngineTest {};
 
 // The committed models: a skin brings its lines after all others, and a model of both shoulders has
