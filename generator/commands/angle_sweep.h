@@ -22,7 +22,7 @@ struct SweptAngle {
 /// The elevations and planes of a map of all that an arm can reach, from somewhat behind the
 /// frontal plane to across the chest.
 inline constexpr const char* kWholeElevations = "0:180:5";
-inline constexpr const char* kWholePlanes = "-60:135:5";
+inline constexpr const char* kWholePlanes = "-95:135:5";
 
 /// Returns whether a text is meant as FROM:TO:STEP.
 [[nodiscard]] bool IsSweep(const std::string& text);

@@ -264,8 +264,11 @@ std::string RatesAsText(const ShoulderDerivatives& derivatives) {
 }
 
 // What the command used differs from the one given by.
-std::string UsedAsText(const ArmCommand& given, const ArmCommand& used) {
+std::string UsedAsText(const ShoulderRhythm& rhythm, const ArmCommand& given,
+                       const ArmCommand& used) {
   std::string differing;
+  const bool is_other_plane =
+      rhythm.IsClamped({used.elevation_rad, given.plane_rad}, {used.elevation_rad, used.plane_rad});
   const auto add = [&differing](const char* name, double given_rad, double used_rad) {
     if (given_rad != used_rad) {
       differing += (differing.empty() ? "" : ", ") + std::string(name) + " " +
@@ -273,7 +276,9 @@ std::string UsedAsText(const ArmCommand& given, const ArmCommand& used) {
     }
   };
   add("elevation", given.elevation_rad, used.elevation_rad);
-  add("plane", given.plane_rad, used.plane_rad);
+  if (is_other_plane) {
+    add("plane", given.plane_rad, used.plane_rad);
+  }
   add("axial", given.axial_rad, used.axial_rad);
   add("shrug", given.shrug_rad, used.shrug_rad);
   add("protraction", given.protraction_rad, used.protraction_rad);
@@ -293,7 +298,7 @@ std::string PoseAsText(const ShoulderRhythm& rhythm, const TypedPose& typed,
       "plane cell      " +
       range(edges.plane_from_deg, edges.plane_to_deg, solution.cell.plane_weight);
   if (solution.clamped) {
-    text += UsedAsText(typed.command(), solution.used);
+    text += UsedAsText(rhythm, typed.command(), solution.used);
   }
   text += "origin          " + std::string(Name(solution.origin));
   if (solution.distance_rad > 0) {
@@ -462,7 +467,7 @@ void AddSolveCommand(CLI::App& program) {
                    "Humeral elevation, 0 to 180; FROM:TO:STEP gives a CSV of them")
       ->type_name("DEG");
   verb->add_option("--plane", arguments->plane_deg,
-                   "Plane of elevation, -60 to 135: 0 frontal, 40 scapular, 90 sagittal; or "
+                   "Plane of elevation, -95 to 135: 0 frontal, 40 scapular, 90 sagittal; or "
                    "FROM:TO:STEP")
       ->type_name("DEG");
   verb->add_option("--axial", arguments->axial_deg,
@@ -498,7 +503,7 @@ void AddSolveCommand(CLI::App& program) {
   verb->footer(
       "Examples:\n"
       "  girdle solve --elevation 23 --plane 50\n"
-      "  girdle solve --elevation 0:180:1 --plane -60:135:5 --out map.csv\n"
+      "  girdle solve --elevation 0:180:1 --plane -95:135:5 --out map.csv\n"
       "  girdle solve --elevation 90 --plane 40 --landmarks --stature 1.85\n"
       "  girdle solve --in poses.csv --out angles.csv");
   verb->callback([arguments] { Solve(*arguments); });

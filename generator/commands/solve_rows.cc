@@ -110,7 +110,7 @@ class RowAnswers {
               {solved.poses, solved.angles_rad, solved.used, solved.origins, solved.distances_rad});
     for (std::size_t i = 0; i < count; ++i) {
       SolvedRow row{solved.angles_rad[i],
-                    solved.used[i] != rows.commands[i],
+                    rhythm_.IsClamped(rows.commands[i], solved.used[i]),
                     solved.distances_rad[i],
                     solved.origins[i],
                     std::nullopt,

@@ -220,7 +220,7 @@ void Pose(ShoulderSimulation& simulation, const RenderRequest& request, bool& cl
     if (command != nullptr) {
       ArmCommand used;
       const ShoulderPose raised = rhythm.SolvePose(*command, &used);
-      clamped = clamped || used != *command;
+      clamped = clamped || rhythm.rhythm().IsClamped(*command, used);
       simulation.PutAt(shoulder, is_meant ? raised : rest);
     }
     if (is_meant && request.girdle == GirdleMotion::kFrozen) {

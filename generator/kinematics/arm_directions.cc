@@ -8,21 +8,6 @@
 
 namespace girdle {
 
-LowestPlane LowestPlaneAt(double elevation_rad) noexcept {
-  constexpr double kFree_rad = -60 * kRadiansPerDegree;
-  constexpr double kTight_rad = -30 * kRadiansPerDegree;
-  constexpr double kFreeUpTo_rad = 60 * kRadiansPerDegree;
-  constexpr double kTightFrom_rad = 85 * kRadiansPerDegree;
-  constexpr double kSlope = (kTight_rad - kFree_rad) / (kTightFrom_rad - kFreeUpTo_rad);
-  if (!(elevation_rad > kFreeUpTo_rad)) {
-    return {kFree_rad, 0};
-  }
-  if (elevation_rad >= kTightFrom_rad) {
-    return {kTight_rad, 0};
-  }
-  return {kFree_rad + kSlope * (elevation_rad - kFreeUpTo_rad), kSlope};
-}
-
 double AngleFromRectangle(const ArmRectangle& rectangle, double elevation_rad,
                           double plane_rad) noexcept {
   const double theta = std::clamp(elevation_rad, 0.0, kPi);

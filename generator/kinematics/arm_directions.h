@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// Directions of the arm in the thorax: which ones an arm can reach, and how far one is from those
-/// that were measured.
+/// Directions of the arm in the thorax, and how far one is from those that were measured.
 #pragma once
 
 #include "kinematics/rotation.h"
@@ -22,20 +21,6 @@ struct ArmRectangle {
            plane_rad >= first_plane_rad && plane_rad <= last_plane_rad;
   }
 };
-
-/// The lowest plane [rad] that an arm reaches at an elevation, and how it changes with it.
-///
-/// Behind the frontal plane the glenohumeral flexion runs away: -57 deg at (elevation 90, plane
-/// -30), -87 at (90, -60), where no shoulder goes and X-Z'-Y'' hinges lock. So: -60 up to elevation
-/// 60, a straight line to -30 at 85, -30 above.
-struct LowestPlane {
-  double plane_rad;
-  double slope;  ///< by elevation [rad/rad]
-};
-[[nodiscard]] LowestPlane LowestPlaneAt(double elevation_rad) noexcept;
-
-/// The last plane [rad] that an arm reaches: across the chest.
-inline constexpr double kHighestPlane_rad = 135 * kRadiansPerDegree;
 
 /// Returns the angle [rad] between the direction (elevation, plane) and the nearest direction of a
 /// rectangle; 0 inside. The rectangle has elevations in [0, pi] and planes less than a turn apart;

@@ -59,19 +59,29 @@ Velocities<L> VelocitiesOf(const QuaternionOf<Jet<L, Order>>& q) noexcept {
   return {TwiceVector(Part(q, kByElevation) * inverse), TwiceVector(Part(q, kByPlane) * inverse)};
 }
 
-// Derivatives by theta and psi into those by t and p, where dtheta = a dt and dpsi = b dt + c dp.
+// Derivatives of x by theta and psi into those by t and p, of which theta and psi are functions:
+//   x_i = x_theta theta_i + x_psi psi_i,
+//   x_ij = x_theta theta_ij + x_psi psi_ij
+//          + x_thetatheta theta_i theta_j + x_thetapsi (theta_i psi_j + theta_j psi_i)
+//          + x_psipsi psi_i psi_j
 template <typename L, int Order>
-Jet<L, Order> Chained(const Jet<L, Order>& x, double a, double c, double b) noexcept {
+Jet<L, Order> Chained(const Jet<L, Order>& x,
+                      const ArmDirectionOf<Jet<double, Order>>& used) noexcept {
+  const auto& theta = used.elevation_rad.part;
+  const auto& psi = used.plane_rad.part;
   Jet<L, Order> result(x.part[kValue]);
-  result.part[kByElevation] = a * x.part[kByElevation] + b * x.part[kByPlane];
-  result.part[kByPlane] = c * x.part[kByPlane];
+  for (std::size_t i = kByElevation; i < result.part.size(); ++i) {
+    result.part[i] = theta[i] * x.part[kByElevation] + psi[i] * x.part[kByPlane];
+  }
   if constexpr (Order == 2) {
-    result.part[kByElevationTwice] = a * a * x.part[kByElevationTwice] +
-                                     2 * a * b * x.part[kByElevationAndPlane] +
-                                     b * b * x.part[kByPlaneTwice];
-    result.part[kByElevationAndPlane] =
-        c * (a * x.part[kByElevationAndPlane] + b * x.part[kByPlaneTwice]);
-    result.part[kByPlaneTwice] = c * c * x.part[kByPlaneTwice];
+    const auto add_second = [&](JetPart ij, JetPart i, JetPart j) {
+      result.part[ij] = result.part[ij] + theta[i] * theta[j] * x.part[kByElevationTwice] +
+                        (theta[i] * psi[j] + theta[j] * psi[i]) * x.part[kByElevationAndPlane] +
+                        psi[i] * psi[j] * x.part[kByPlaneTwice];
+    };
+    add_second(kByElevationTwice, kByElevation, kByElevation);
+    add_second(kByElevationAndPlane, kByElevation, kByPlane);
+    add_second(kByPlaneTwice, kByPlane, kByPlane);
   }
   return result;
 }
@@ -139,6 +149,17 @@ QuaternionOf<Jet<double, Order>> WithAxialOf(const QuaternionOf<Jet<double, Orde
                          angle_rad);
 }
 
+// The rule for the whole range goes on from the table's planes to those that an arm reaches.
+void CheckPlanes(const ArmRectangle& table) {
+  for (const double plane_rad : {table.first_plane_rad, table.last_plane_rad}) {
+    if (plane_rad < ArmReach::kFirstPlane_rad || plane_rad > ArmReach::kLastPlane_rad) {
+      throw std::invalid_argument(
+          "the table's plane " + std::to_string(DegreesFromRadians(plane_rad)) +
+          " deg is beyond what an arm reaches, -95 to 135 deg. Choose the range clamp");
+    }
+  }
+}
+
 // The options with the range that they stand for.
 RhythmOptions WithRangeSaid(RhythmOptions options) {
   const Range range_by_default = DefaultRange(options.interpolation, options.closure);
@@ -179,12 +200,13 @@ ShoulderRhythm::ShoulderRhythm(RhythmTable table, RhythmOptions options, const J
       ranges_(ranges),
       measured_{table_.elevations_rad().front(), table_.elevations_rad().back(),
                 table_.planes_rad().front(), table_.planes_rad().back()},
+      reach_(measured_.first_plane_rad),
       domain_(measured_),
       interpolant_(InterpolantOf(table_, options_.interpolation)) {
   if (options_.range == Range::kWhole) {
+    CheckPlanes(measured_);
     smooth()->CheckWholeRange(table_);
-    domain_ = {0, kPi, std::min(measured_.first_plane_rad, LowestPlaneAt(0).plane_rad),
-               std::max(measured_.last_plane_rad, kHighestPlane_rad)};
+    domain_ = {0, kPi, ArmReach::kFirstPlane_rad, ArmReach::kLastPlane_rad};
   }
 }
 
@@ -196,28 +218,36 @@ double ShoulderRhythm::DistanceOutside(double elevation_rad, double plane_rad) c
   return std::isnan(distance_rad) ? 0 : distance_rad;
 }
 
-ShoulderRhythm::Used ShoulderRhythm::UsedFor(double elevation_rad,
-                                             double plane_rad) const noexcept {
-  Used used{Clamped(elevation_rad, domain_.lowest_elevation_rad, domain_.highest_elevation_rad), 0,
-            0, 0, 0};
-  used.elevation_slope = used.elevation_rad == elevation_rad ? 1 : 0;
-  double lowest_rad = domain_.first_plane_rad;
-  double lowest_slope = 0;
-  if (options_.range == Range::kWhole && !(plane_rad >= measured_.first_plane_rad)) {
-    const LowestPlane lowest = LowestPlaneAt(used.elevation_rad);
-    if (lowest.plane_rad < measured_.first_plane_rad) {
-      lowest_rad = lowest.plane_rad;
-      lowest_slope = lowest.slope;
-    } else {
-      lowest_rad = measured_.first_plane_rad;
-    }
+double ShoulderRhythm::PlaneOnChart(double plane_rad) const noexcept {
+  const double middle_rad = (domain_.first_plane_rad + domain_.last_plane_rad) / 2;
+  const double from_middle_rad = plane_rad - middle_rad;
+  return std::abs(from_middle_rad) <= kPi ? plane_rad
+                                          : middle_rad + std::remainder(from_middle_rad, 2 * kPi);
+}
+
+template <typename T>
+ArmDirectionOf<T> ShoulderRhythm::UsedFor(const ArmDirectionOf<T>& direction) const noexcept {
+  // A bound does not change with the command.
+  const auto bounded = [](const T& x, double bound) { return ValueOf(x) == bound ? x : T(bound); };
+  const double elevation_rad = Clamped(ValueOf(direction.elevation_rad),
+                                       domain_.lowest_elevation_rad, domain_.highest_elevation_rad);
+  const double plane_rad = ValueOf(direction.plane_rad);
+  const double chart_rad = PlaneOnChart(plane_rad);
+  const double lowest_rad = LowestPlaneAt(elevation_rad);
+  ArmDirectionOf<T> used = {bounded(direction.elevation_rad, elevation_rad), T(lowest_rad)};
+  if (!std::isfinite(chart_rad)) {
+    return used;
   }
-  used.plane_rad = Clamped(plane_rad, lowest_rad, domain_.last_plane_rad);
-  if (used.plane_rad == plane_rad) {
-    used.plane_slope = 1;
-  } else if (used.plane_rad == lowest_rad) {
-    used.plane_slope_by_elevation = lowest_slope * used.elevation_slope;
+  // A sum whose value is that of the chart, to the last bit.
+  used.plane_rad = T(chart_rad) + (direction.plane_rad - T(plane_rad));
+  if (chart_rad >= lowest_rad && chart_rad <= domain_.last_plane_rad) {
+    return used;
   }
+  if (options_.range == Range::kWhole) {
+    return reach_.AnswerTo(used);
+  }
+  used.plane_rad =
+      bounded(used.plane_rad, std::clamp(chart_rad, lowest_rad, domain_.last_plane_rad));
   return used;
 }
 
@@ -229,7 +259,7 @@ double ShoulderRhythm::DistanceFor(const ArmCommand& command,
 
 Origin ShoulderRhythm::OriginFor(const ArmCommand& command, const RhythmCell& cell) const noexcept {
   if (options_.range == Range::kWhole &&
-      !measured_.Holds(command.elevation_rad, command.plane_rad)) {
+      !measured_.Holds(command.elevation_rad, PlaneOnChart(command.plane_rad))) {
     return Origin::kModelled;
   }
   // A corner without weight says nothing of the pose.
@@ -300,7 +330,8 @@ bool ShoulderRhythm::KeepsGhWithin(const ShoulderPose& pose,
 }
 
 ArmCommand ShoulderRhythm::WithinRange(const ArmCommand& command) const noexcept {
-  const Used used = UsedFor(command.elevation_rad, command.plane_rad);
+  const ArmDirectionOf<double> used =
+      UsedFor(ArmDirectionOf<double>{command.elevation_rad, command.plane_rad});
   return {used.elevation_rad, used.plane_rad, FiniteOrZero(command.axial_rad),
           FiniteOrZero(command.shrug_rad), FiniteOrZero(command.protraction_rad)};
 }
@@ -357,11 +388,20 @@ ShoulderPose ShoulderRhythm::SolvePose(const ArmCommand& command,
   return pose;
 }
 
+bool ShoulderRhythm::IsClamped(const ArmCommand& command, const ArmCommand& used) const noexcept {
+  ArmCommand same_plane = command;
+  const bool is_hanging = command.elevation_rad == 0 && used.elevation_rad == 0;
+  same_plane.plane_rad = is_hanging && std::isfinite(command.plane_rad)
+                             ? used.plane_rad
+                             : PlaneOnChart(command.plane_rad);
+  return !(used == same_plane);
+}
+
 ShoulderSolution ShoulderRhythm::Solve(const ArmCommand& command) const noexcept {
   ShoulderSolution solution;  // NOLINT(*-member-init): every member is set below
   solution.used = WithinRange(command);
   solution.pose = PoseFor(solution.used);
-  solution.clamped = !(solution.used == command);
+  solution.clamped = IsClamped(command, solution.used);
   solution.cell = table_.CellAt(solution.used.elevation_rad, solution.used.plane_rad);
   solution.distance_rad = DistanceFor(command, solution.used);
   solution.origin = OriginFor(command, solution.cell);
@@ -378,7 +418,12 @@ struct ShoulderRhythm::Jets {
 template <int Order>
 ShoulderRhythm::Jets<Order> ShoulderRhythm::JetsFor(const ArmCommand& command) const noexcept {
   using Scalar = Jet<double, Order>;
-  const Used place = UsedFor(command.elevation_rad, command.plane_rad);
+  ArmDirectionOf<Scalar> direction = {Scalar(command.elevation_rad), Scalar(command.plane_rad)};
+  direction.elevation_rad.part[kByElevation] = 1;
+  direction.plane_rad.part[kByPlane] = 1;
+  const ArmDirectionOf<Scalar> answer = UsedFor(direction);
+  const double elevation_rad = ValueOf(answer.elevation_rad);
+  const double plane_rad = ValueOf(answer.plane_rad);
   ArmCommand used = command;
   if (command.axial_rad != 0 || command.shrug_rad != 0 || command.protraction_rad != 0) {
     used = Solve(command).used;
@@ -387,25 +432,24 @@ ShoulderRhythm::Jets<Order> ShoulderRhythm::JetsFor(const ArmCommand& command) c
   // Derivatives are by the elevation and plane used; the last step makes them those by the ones
   // given.
   if (options_.closure == Closure::kExact) {
-    const GirdleOf<Scalar> girdle = smooth()->Girdle<Scalar>(place.elevation_rad, place.plane_rad);
+    const GirdleOf<Scalar> girdle = smooth()->Girdle<Scalar>(elevation_rad, plane_rad);
     jets.q_TC_CS = WithOffsetsOf(girdle.q_TC_CS, used, command, ranges_);
-    Scalar theta(place.elevation_rad);
-    Scalar psi(place.plane_rad);
+    Scalar theta(elevation_rad);
+    Scalar psi(plane_rad);
     theta.part[kByElevation] = 1;
     psi.part[kByPlane] = 1;
     jets.q_SH = Inverse(Element(jets.q_TC_CS, 0) * Element(jets.q_TC_CS, 1)) *
                 HumerusRotation(theta, psi, girdle.turn_rad);
   } else {
-    const JointsOf<Scalar> joints = smooth()->Joints<Scalar>(place.elevation_rad, place.plane_rad);
+    const JointsOf<Scalar> joints = smooth()->Joints<Scalar>(elevation_rad, plane_rad);
     jets.q_TC_CS = WithOffsetsOf(joints.q_TC_CS, used, command, ranges_);
     jets.q_SH = joints.q_SH;
   }
   jets.q_SH = WithAxialOf(jets.q_SH, used, command, ranges_);
-  if (place.elevation_slope != 1 || place.plane_slope != 1) {
-    const auto chain = [&place](auto& q) {
+  if (elevation_rad != command.elevation_rad || plane_rad != command.plane_rad) {
+    const auto chain = [&answer](auto& q) {
       for (auto* component : {&q.w, &q.x, &q.y, &q.z}) {
-        *component = Chained(*component, place.elevation_slope, place.plane_slope,
-                             place.plane_slope_by_elevation);
+        *component = Chained(*component, answer);
       }
     };
     chain(jets.q_TC_CS);

@@ -14,6 +14,7 @@
 #include <variant>
 
 #include "kinematics/arm_directions.h"
+#include "kinematics/arm_reach.h"
 #include "kinematics/rhythm_table.h"
 #include "kinematics/shoulder_pose.h"
 #include "kinematics/words.h"
@@ -40,7 +41,7 @@ enum class Closure {
 
 /// What happens outside the table.
 enum class Range {
-  kWhole,  ///< all that an arm can reach, by the rule of smooth_rhythm.h
+  kWhole,  ///< all that an arm can reach (arm_reach.h), by the rule of smooth_rhythm.h
   kClamp,  ///< the table's nearest point answers
 };
 
@@ -91,7 +92,7 @@ struct ShoulderSolution {
   /// The command that the pose answers: the nearest in the range and, for axial, shrug and
   /// protraction, in the joints' ranges.
   ArmCommand used;
-  /// True if that is not the command given.
+  /// ShoulderRhythm::IsClamped of the two.
   bool clamped;
   Origin origin;
   /// The table's cell that holds the command used, or the nearest to it.
@@ -155,9 +156,10 @@ class ShoulderRhythm {
   explicit ShoulderRhythm(RhythmTable table, RhythmOptions options = {},
                           const JointRanges& ranges = Unbounded());
 
-  /// Returns the pose for a command. Total: outside the range its nearest point is used, a NaN
-  /// counts as the lowest elevation or plane, and an axial turn or offset that is not finite as
-  /// none.
+  /// Returns the pose for a command. Total: the plane is an angle, so that whole turns do not
+  /// matter; a direction outside the range is answered by ArmReach::AnswerTo, with the range clamp
+  /// by the nearest elevation and plane; a NaN, and a plane that is not finite, counts as the
+  /// lowest elevation or plane, and an axial turn or offset that is not finite as none.
   ///
   /// With squad or slerp: equations (4) to (12). Offsets turn the clavicle's angles; the scapula
   /// keeps its place on the clavicle, and with closure exact the arm its direction.
@@ -167,10 +169,15 @@ class ShoulderRhythm {
   [[nodiscard]] ShoulderPose SolvePose(const ArmCommand& command,
                                        ArmCommand* used = nullptr) const noexcept;
 
+  /// Whether a command that is answered with the one used is clamped: another direction, turn or
+  /// offset than the one given. Planes a whole turn apart are one, and hanging all are.
+  [[nodiscard]] bool IsClamped(const ArmCommand& command, const ArmCommand& used) const noexcept;
+
   /// Returns the pose with its derivatives by the elevation and plane commanded, exact but for
-  /// rounding; nothing unless the interpolation is smooth. Where the command is clamped the pose
-  /// does not change with it, and where a bound or a change of the rule's form makes a kink it is
-  /// one of the two. Where it is GH's range that bounds the offsets they count as constant.
+  /// rounding; nothing unless the interpolation is smooth. Where the command is not reached they
+  /// are those of what answers it, and where a bound or a change of the rule's form makes a kink
+  /// they are one of the two. Where it is GH's range that bounds the offsets they count as
+  /// constant.
   [[nodiscard]] std::optional<ShoulderRates> SolveRates(const ArmCommand& command) const noexcept;
   [[nodiscard]] std::optional<AngleRates> SolveAngleRates(const ArmCommand& command) const noexcept;
   [[nodiscard]] std::optional<ShoulderDerivatives> SolveDerivatives(
@@ -187,21 +194,17 @@ class ShoulderRhythm {
   /// Elevations and planes of commands that are not clamped: with the range whole, behind the
   /// frontal plane only as far as LowestPlaneAt.
   [[nodiscard]] const ArmRectangle& domain() const noexcept { return domain_; }
+  /// The lowest plane that is not clamped at an elevation of the domain [rad].
+  [[nodiscard]] double LowestPlaneAt(double elevation_rad) const noexcept {
+    return options_.range == Range::kWhole ? reach_.LowestPlaneAt(elevation_rad)
+                                           : domain_.first_plane_rad;
+  }
 
   /// Ranges that bound nothing.
   [[nodiscard]] static JointRanges Unbounded() noexcept;
 
  private:
   friend class ManySolver;  // of solve_many.cc: the steps of Solve, each for a block of commands
-
-  /// The command used, and how its elevation and plane change with those given.
-  struct Used {
-    double elevation_rad;
-    double plane_rad;
-    double elevation_slope;           ///< of the elevation by the elevation, 0 or 1
-    double plane_slope;               ///< of the plane by the plane, 0 or 1
-    double plane_slope_by_elevation;  ///< along the limit of what an arm can reach
-  };
 
   using Interpolant =
       std::variant<std::shared_ptr<const SmoothRhythm>, std::shared_ptr<const SquadRhythm>>;
@@ -212,7 +215,11 @@ class ShoulderRhythm {
     const auto* const smooth = std::get_if<std::shared_ptr<const SmoothRhythm>>(&interpolant_);
     return smooth == nullptr ? nullptr : smooth->get();
   }
-  [[nodiscard]] Used UsedFor(double elevation_rad, double plane_rad) const noexcept;
+  /// The plane within half a turn of the middle of the domain; NaN for what is not finite.
+  [[nodiscard]] double PlaneOnChart(double plane_rad) const noexcept;
+  /// The direction that answers one; T is double or a Jet, whose derivatives go through.
+  template <typename T>
+  [[nodiscard]] ArmDirectionOf<T> UsedFor(const ArmDirectionOf<T>& direction) const noexcept;
   /// The rates within the table, without offsets or axial turn.
   [[nodiscard]] ShoulderRates PlainRates(double elevation_rad, double plane_rad) const noexcept;
   /// Whether WithinRange would change nothing, for most commands within the table.
@@ -253,6 +260,7 @@ class ShoulderRhythm {
   RhythmOptions options_;
   JointRanges ranges_;
   ArmRectangle measured_;  ///< the table's domain
+  ArmReach reach_;         ///< of the range whole
   ArmRectangle domain_;
   Interpolant interpolant_;
 };

@@ -24,8 +24,8 @@ struct ManySolutions {
   std::optional<std::span<ShoulderPose>> poses = std::nullopt;
   /// Joint coordinates [rad] in the order of kCoordinateNames: AnglesFromPose of the pose.
   std::optional<std::span<JointAngles>> angles_rad = std::nullopt;
-  /// The command that the pose answers [rad] (ShoulderSolution::used). It is clamped where it
-  /// differs from the command given.
+  /// The command that the pose answers [rad] (ShoulderSolution::used). ShoulderRhythm::IsClamped
+  /// says whether that is not the one given.
   std::optional<std::span<ArmCommand>> used = std::nullopt;
   /// Whether the answer is measured, derived or modelled (ShoulderSolution::origin).
   std::optional<std::span<Origin>> origins = std::nullopt;

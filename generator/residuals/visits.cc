@@ -34,7 +34,8 @@ constexpr double kPushing_s = 0.3;
 constexpr double kCycles_s = 2;
 
 // The motions that every model is run through.
-std::vector<Motion> StandardMotions(const ArmRectangle& domain) {
+std::vector<Motion> StandardMotions(const ShoulderRhythm& rhythm) {
+  const ArmRectangle& domain = rhythm.domain();
   const double lowest_rad = domain.lowest_elevation_rad;
   const double highest_rad = std::min(domain.highest_elevation_rad, kRaised_rad);
   const auto raise = [&](const char* name, double plane_deg) {
@@ -43,10 +44,8 @@ std::vector<Motion> StandardMotions(const ArmRectangle& domain) {
   };
   const double level_rad = RadiansFromDegrees(90);
   return {raise("abduction", 0), raise("scapular plane", 40), raise("flexion", 90),
-          ReachingMotion(
-              "protraction at 90",
-              {level_rad, std::max(domain.first_plane_rad, LowestPlaneAt(level_rad).plane_rad)},
-              {level_rad, domain.last_plane_rad}, kMoving_s)};
+          ReachingMotion("protraction at 90", {level_rad, rhythm.LowestPlaneAt(level_rad)},
+                         {level_rad, domain.last_plane_rad}, kMoving_s)};
 }
 
 // Over the table's elevations and planes and back, once a second.
@@ -232,7 +231,7 @@ class Visitor {
 void ShowVisits(ShoulderSimulation& simulation, const MeasuredShoulder& shoulder,
                 const std::vector<ResidualGroupPointer>& groups, const ProgressSink& progress) {
   Visitor visitor(simulation, shoulder, groups);
-  const std::vector<Motion> motions = StandardMotions(shoulder.rhythm.rhythm().domain());
+  const std::vector<Motion> motions = StandardMotions(shoulder.rhythm.rhythm());
   for (std::size_t i = 0; i < motions.size(); ++i) {
     const double share = 1.0 / static_cast<double>(motions.size());
     visitor.VisitMotion(motions[i], [&progress, i, share](double done) {

@@ -149,12 +149,14 @@ ShoulderState ShoulderSimulation::Derived(double time_s, const ArmCommand& comma
   if (has_plugin()) {
     const mjtNum* sensor = data().sensordata + elements().sensor;
     state.distance_rad = sensor[sensor_layout::kDistance];
-    state.clamped = sensor[sensor_layout::kCommanded] != command.elevation_rad ||
-                    sensor[sensor_layout::kCommanded + 1] != command.plane_rad ||
-                    sensor[sensor_layout::kCommanded + 2] != command.axial_rad;
+    ArmCommand used = command;
+    used.elevation_rad = sensor[sensor_layout::kCommanded];
+    used.plane_rad = sensor[sensor_layout::kCommanded + 1];
+    used.axial_rad = sensor[sensor_layout::kCommanded + 2];
+    state.clamped = rhythm_.rhythm().IsClamped(command, used);
   } else {
     state.distance_rad = rhythm_.rhythm().DistanceOutside(command.elevation_rad, command.plane_rad);
-    state.clamped = used_ != command;
+    state.clamped = rhythm_.rhythm().IsClamped(command, used_);
   }
   state.connect_force_N = ConnectForce();
   AddLigaments(state);

@@ -20,7 +20,8 @@ MEASURED = "Girdle"
 FROZEN = "frozen girdle"
 
 ELEVATIONS = "0:180:{step}"
-PLANES = "-60:135:{step}"
+# From a multiple of every step, a little beyond what an arm reaches.
+PLANES = "-105:135:{step}"
 STEP_DEG = 1
 QUICK_STEP_DEG = 15
 # `compare` answers for six rhythms each.
@@ -41,7 +42,7 @@ COMPARED = (
 
 
 def prepare(axes: Axes) -> None:
-    axes.set_xticks(np.arange(-60, 136, 30))
+    axes.set_xticks(np.arange(-90, 136, 45))
     axes.set_yticks(np.arange(0, 181, 30))
     for side in ("top", "right"):
         axes.spines[side].set_visible(True)
@@ -95,7 +96,7 @@ def make_rotation(girdle: Girdle, quick: bool) -> Figure:
     save(canvas, girdle.folder, ROTATION_NAME)
 
     at = [0, 30, 60, 90, 120, 150, 180]
-    shown_planes = [-60, -30, 0, 45, 90, 135]
+    shown_planes = [-90, -60, -30, 0, 45, 90, 135]
     table = NumberTable(
         "Upward rotation (deg) by elevation (deg) and plane",
         ["elevation", *(f"plane {plane}" for plane in shown_planes)],

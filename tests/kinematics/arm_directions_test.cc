@@ -19,52 +19,7 @@
 namespace girdle::arm_directions_test {
 namespace {
 
-// A few dozen roundings of numbers of size one.
-constexpr double kRounding = 1e-14;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-
-struct LimitCase {
-  double elevation_deg;
-  double plane_deg;
-  double slope;
-};
-
-void PrintTo(const LimitCase& limit, std::ostream* out) {
-  *out << "elevation " << limit.elevation_deg;
-}
-
-class LowestPlaneOf : public testing::TestWithParam<LimitCase> {};
-
-// "-60 up to elevation 60, a straight line to -30 at 85, -30 above."
-TEST_P(LowestPlaneOf, AnElevationIsTheStatedLine) {
-  const LowestPlane lowest = LowestPlaneAt(RadiansFromDegrees(GetParam().elevation_deg));
-  EXPECT_NEAR(DegreesFromRadians(lowest.plane_rad), GetParam().plane_deg, 1e-12);
-  EXPECT_NEAR(lowest.slope, GetParam().slope, kRounding);
-}
-
-INSTANTIATE_TEST_SUITE_P(Elevations, LowestPlaneOf,
-                         testing::Values(LimitCase{0, -60, 0}, LimitCase{59.9, -60, 0},
-                                         LimitCase{65, -54, 1.2}, LimitCase{72.5, -45, 1.2},
-                                         LimitCase{80, -36, 1.2}, LimitCase{85.1, -30, 0},
-                                         LimitCase{120, -30, 0}, LimitCase{180, -30, 0}));
-
-RC_GTEST_PROP(LowestPlane, ChangesByItsSlope, ()) {
-  constexpr double kStep_rad = 1e-6;
-  const double elevation_rad = *NumberWithin(0, kPi);
-  // Not over one of the two corners.
-  for (const double corner_deg : {60, 85}) {
-    RC_PRE(std::abs(elevation_rad - RadiansFromDegrees(corner_deg)) > 2 * kStep_rad);
-  }
-  const double difference_rad = LowestPlaneAt(elevation_rad + kStep_rad).plane_rad -
-                                LowestPlaneAt(elevation_rad - kStep_rad).plane_rad;
-  // Differences of angles of one radian are off by 1e-16 over the step.
-  RC_ASSERT(std::abs(difference_rad / (2 * kStep_rad) - LowestPlaneAt(elevation_rad).slope) < 1e-9);
-}
-
-TEST(LowestPlane, OfANanIsTheLowestOfAll) {
-  EXPECT_NEAR(LowestPlaneAt(kNan).plane_rad, RadiansFromDegrees(-60), kRounding);
-  EXPECT_EQ(LowestPlaneAt(kNan).slope, 0);
-}
 
 ArmRectangle Rectangle_deg(double lowest, double highest, double first, double last) {
   return {RadiansFromDegrees(lowest), RadiansFromDegrees(highest), RadiansFromDegrees(first),

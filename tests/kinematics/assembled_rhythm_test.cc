@@ -293,7 +293,9 @@ TEST(LoopRhythm, CorrectsTwiceContinuouslyDifferentiablyOverKnotsBordersAndFades
   // Steps behind the body keep to where every arm reaches.
   for (const double plane_deg : borders_of_plane_deg) {
     for (const double elevation_deg : {3.0, 15.0, 33.0, 60.0, 77.0, 120.0, 141.0}) {
-      if (plane_deg < LowestPlaneAt(RadiansFromDegrees(elevation_deg)).plane_rad / kPi * 180 + 1) {
+      if (plane_deg <
+          DegreesFromRadians(Loop().rhythm().LowestPlaneAt(RadiansFromDegrees(elevation_deg))) +
+              1) {
         continue;
       }
       const ArmCommand at = Command_deg(elevation_deg, plane_deg);
@@ -312,7 +314,7 @@ TEST(LoopRhythm, CorrectsTwiceContinuouslyDifferentiablyOverKnotsBordersAndFades
 TEST(LoopRhythm, IsSingleValuedWhereThePlaneHasNoMeaning) {
   const ShoulderPose hanging = Loop().SolvePose(Command_deg(0, 0));
   const ShoulderPose upright = Loop().SolvePose(Command_deg(180, 0));
-  for (const double plane_deg : Steps(-60, 135, 39)) {
+  for (const double plane_deg : Steps(-95, 135, 46)) {
     EXPECT_LT(Apart_rad(Loop().SolvePose(Command_deg(0, plane_deg)), hanging), kRounding_rad)
         << "plane " << plane_deg;
     // Straight up the humerus has one direction, and its turn about it is the plane's.

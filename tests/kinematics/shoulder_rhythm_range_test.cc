@@ -43,7 +43,7 @@ ShoulderPose PoseAt_deg(double elevation_deg, double plane_deg) {
 }
 
 double LowestPlane_deg(double elevation_deg) {
-  return DegreesFromRadians(LowestPlaneAt(RadiansFromDegrees(elevation_deg)).plane_rad);
+  return DegreesFromRadians(Whole().LowestPlaneAt(RadiansFromDegrees(elevation_deg)));
 }
 
 bool Reaches(double elevation_deg, double plane_deg) {
@@ -53,7 +53,7 @@ bool Reaches(double elevation_deg, double plane_deg) {
 // Every whole degree that an arm can reach.
 void ForEachReachable(const std::function<void(double, double)>& visit) {
   for (int elevation_deg = 0; elevation_deg <= 180; ++elevation_deg) {
-    for (int plane_deg = -60; plane_deg <= 135; ++plane_deg) {
+    for (int plane_deg = -95; plane_deg <= 135; ++plane_deg) {
       if (Reaches(elevation_deg, plane_deg)) visit(elevation_deg, plane_deg);
     }
   }
@@ -258,12 +258,19 @@ TEST(WholeRange, TurnsNoBoneFast) {
   // Where the planes fold into one, to the first degree of the table.
   constexpr double kFoldedTo_deg = 16;
   constexpr double kFastestFolding = 4.5;
+  // The humerus turns with its plane, at elevation 15 by the sine of that, and hanging not at all:
+  // what a plane is farther behind goes in 15 deg, midway 1.5 times as fast as in the mean.
+  const auto behind = [](double plane_deg) {
+    const double farther_deg = std::max(-60 - plane_deg, 0.0);
+    return 1.5 * std::sin(RadiansFromDegrees(15)) * farther_deg / 15;
+  };
   const auto bones = [](double elevation_deg, double plane_deg) {
     const ShoulderPose pose = PoseAt_deg(elevation_deg, plane_deg);
     return std::array{pose.q_TC, pose.q_TS(), pose.q_TH()};
   };
   ForEachReachable([&](double elevation_deg, double plane_deg) {
-    const double fastest = elevation_deg < kFoldedTo_deg ? kFastestFolding : kFastest;
+    const double fastest =
+        (elevation_deg < kFoldedTo_deg ? kFastestFolding : kFastest) + behind(plane_deg);
     const auto here = bones(elevation_deg, plane_deg);
     const auto check = [&](double other_elevation_deg, double other_plane_deg) {
       if (other_elevation_deg > 180 || other_plane_deg > 135 ||
@@ -351,16 +358,40 @@ TEST_P(BeyondReach, ThePoseIsThatOfTheCommandUsed) {
             1e-13);
 }
 
+// Beside a plane, the nearest direction of it: a right triangle of the direction, its foot and
+// hanging, whose tangents are in the ratio of the cosine of how far beyond the plane it is.
+ArmCommand OnPlane_deg(double elevation_deg, double beyond_deg, double plane_deg) {
+  const double theta_rad = RadiansFromDegrees(elevation_deg);
+  return {std::atan2(std::sin(theta_rad) * std::cos(RadiansFromDegrees(beyond_deg)),
+                     std::cos(theta_rad)),
+          RadiansFromDegrees(plane_deg)};
+}
+
+// The circle of 45 deg about an elevation of 107.5 touches plane -30: a right triangle again, of
+// the centre, the point of touch and straight up. Directly below the centre it lets 62.5 through.
+ArmCommand BelowTheCentre_deg(double elevation_deg) {
+  const double beyond_rad =
+      std::asin(std::sin(RadiansFromDegrees(45)) / std::sin(RadiansFromDegrees(107.5)));
+  return {RadiansFromDegrees(elevation_deg), RadiansFromDegrees(-30) - beyond_rad};
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Commands, BeyondReach,
     testing::Values(
         ClampedCase{"below hanging", Command_deg(-5, 40), Command_deg(0, 40)},
         ClampedCase{"beyond straight up", Command_deg(185, 40), Command_deg(180, 40)},
-        ClampedCase{"far across", Command_deg(60, 140), Command_deg(60, 135)},
-        ClampedCase{"behind, low", Command_deg(30, -75), Command_deg(30, -60)},
-        ClampedCase{"behind, on the slope", Command_deg(72.5, -60), Command_deg(72.5, -45)},
-        ClampedCase{"behind, high", Command_deg(100, -45), Command_deg(100, -30)},
-        ClampedCase{"both", Command_deg(-5, -75), Command_deg(0, -60)},
+        ClampedCase{"below hanging, a turn on", Command_deg(-5, 400), Command_deg(0, 40)},
+        ClampedCase{"across the chest", Command_deg(60, 140), OnPlane_deg(60, 5, 135)},
+        ClampedCase{"across the chest, a turn back", Command_deg(60, -220),
+                    OnPlane_deg(60, 5, 135)},
+        ClampedCase{"behind, low", Command_deg(30, -105), OnPlane_deg(30, 10, -95)},
+        ClampedCase{"behind, a turn on", Command_deg(30, 255), OnPlane_deg(30, 10, -95)},
+        ClampedCase{"behind, towards the circle", BelowTheCentre_deg(80), BelowTheCentre_deg(62.5)},
+        ClampedCase{"behind, high", Command_deg(150, -50), OnPlane_deg(150, 20, -30)},
+        ClampedCase{"beyond straight up, behind", Command_deg(185, -45), Command_deg(180, -30)},
+        // 65 deg and more from all that is reached: in the middle of the planes.
+        ClampedCase{"level, opposite to the middle", Command_deg(90, 200),
+                    Command_deg(90 * std::cos(RadiansFromDegrees(65)), 20)},
         ClampedCase{"an elevation that is no number", {kNan, 0.5}, {0, 0.5}},
         ClampedCase{"an axial turn that is no number", {1, 0.5, kNan}, {1, 0.5, 0}},
         ClampedCase{"an infinite shrug", {1, 0.5, 0, kInfinity}, {1, 0.5, 0}},
@@ -369,15 +400,174 @@ INSTANTIATE_TEST_SUITE_P(
 
 // "A NaN counts as the lowest elevation or plane."
 TEST(WholeRange, TakesANanForTheLowestPlane) {
-  EXPECT_NEAR(DegreesFromRadians(Whole().Solve({1, kNan}).used.plane_rad), -60, kRounding_deg);
+  for (const double plane_rad : {kNan, kInfinity, -kInfinity}) {
+    const ShoulderSolution solution = Whole().Solve({1, plane_rad});
+    EXPECT_NEAR(DegreesFromRadians(solution.used.plane_rad), -95, kRounding_deg) << plane_rad;
+    EXPECT_TRUE(solution.clamped) << plane_rad;
+    EXPECT_EQ(Apart_rad(solution.pose, Whole().SolvePose({1, solution.used.plane_rad})), 0);
+  }
 }
 
 TEST(WholeRange, HasItsOutermostElevationsAndPlanes) {
   const ArmRectangle& domain = Whole().domain();
   EXPECT_EQ(domain.lowest_elevation_rad, 0);
   EXPECT_EQ(domain.highest_elevation_rad, kPi);
-  EXPECT_NEAR(DegreesFromRadians(domain.first_plane_rad), -60, kRounding_deg);
+  EXPECT_NEAR(DegreesFromRadians(domain.first_plane_rad), -95, kRounding_deg);
   EXPECT_NEAR(DegreesFromRadians(domain.last_plane_rad), 135, kRounding_deg);
+}
+
+// A plane is an angle: whole turns do not matter, with any range and interpolation.
+RC_GTEST_PROP(WholeRange, TakesPlanesAWholeTurnApartForOne, ()) {
+  static const ShoulderRhythm kSquad(TableOf(MeasuredRows()),
+                                     {Interpolation::kSquad, Closure::kTable, std::nullopt});
+  static const ShoulderRhythm kClamped(TableOf(MeasuredRows()),
+                                       {Interpolation::kSmooth, Closure::kExact, Range::kClamp});
+  const ArmCommand command = Command_deg(*NumberWithin(-10, 190), *NumberWithin(-180, 180));
+  for (const ShoulderRhythm* rhythm : {&Whole(), &kClamped, &kSquad}) {
+    // The table's edges answer as far as half a turn from their middle, and jump there.
+    const double cut_deg = rhythm == &Whole() ? -160 : -135;
+    RC_PRE(std::abs(DegreesFromRadians(command.plane_rad) - cut_deg) > kRounding_deg);
+    const ShoulderSolution solution = rhythm->Solve(command);
+    for (const int turns : {-2, -1, 1, 3}) {
+      ArmCommand turned = command;
+      turned.plane_rad += 2 * kPi * turns;
+      const ShoulderSolution other = rhythm->Solve(turned);
+      RC_ASSERT(Apart_rad(other.pose, solution.pose) < 1e-12);
+      RC_ASSERT(std::abs(other.used.plane_rad - solution.used.plane_rad) < 1e-12);
+      RC_ASSERT(std::abs(other.used.elevation_rad - solution.used.elevation_rad) < 1e-12);
+      RC_ASSERT(other.origin == solution.origin);
+    }
+  }
+}
+
+RC_GTEST_PROP(WholeRange, DoesNotCallAPlaneAWholeTurnOnClamped, ()) {
+  const double elevation_deg = *NumberWithin(0, 180);
+  // Not so near to a limit that the turn's rounding takes it over it.
+  const double plane_deg =
+      *NumberWithin(LowestPlane_deg(elevation_deg) + kRounding_deg, 135 - kRounding_deg);
+  for (const double turns_deg : {-720, -360, 360, 1080}) {
+    const ArmCommand command = Command_deg(elevation_deg, plane_deg + turns_deg);
+    const ShoulderSolution solution = Whole().Solve(command);
+    RC_ASSERT(!solution.clamped);
+    RC_ASSERT(!Whole().IsClamped(command, solution.used));
+    RC_ASSERT(std::abs(DegreesFromRadians(solution.used.plane_rad) - plane_deg) < kRounding_deg);
+  }
+}
+
+TEST(WholeRange, TakesTheWayRoundForTheSamePlane) {
+  for (const double elevation_deg : {30.0, 90.0, 150.0}) {
+    EXPECT_LT(Apart_rad(PoseAt_deg(elevation_deg, 181), PoseAt_deg(elevation_deg, -179)), 1e-12);
+    EXPECT_LT(Apart_rad(PoseAt_deg(elevation_deg, 350), PoseAt_deg(elevation_deg, -10)), 1e-12);
+    EXPECT_LT(Apart_rad(PoseAt_deg(elevation_deg, 225), PoseAt_deg(elevation_deg, -135)), 1e-12);
+  }
+}
+
+// Hanging, every plane is one and the same direction.
+TEST(WholeRange, ClampsNoPlaneOfAHangingArm) {
+  const ShoulderPose hanging = PoseAt_deg(0, 40);
+  for (const double plane_deg : Steps(-360, 360, 144)) {
+    const ShoulderSolution solution = Whole().Solve(Command_deg(0, plane_deg));
+    EXPECT_FALSE(solution.clamped) << plane_deg;
+    EXPECT_LT(Apart_rad(solution.pose, hanging), 1e-12) << plane_deg;
+  }
+  EXPECT_TRUE(Whole().Solve({0, kNan}).clamped);
+  EXPECT_TRUE(Whole().Solve(Command_deg(1, -150)).clamped);
+}
+
+// What answers a direction is answered by itself.
+RC_GTEST_PROP(WholeRange, AnswersWithWhatIsReached, ()) {
+  const Vector3 v = *UnitVector();
+  const ArmCommand command{std::acos(std::clamp(-v.y, -1.0, 1.0)), std::atan2(v.x, v.z)};
+  const ShoulderSolution solution = Whole().Solve(command);
+  const double plane_deg = DegreesFromRadians(solution.used.plane_rad);
+  const double elevation_deg = DegreesFromRadians(solution.used.elevation_rad);
+  RC_ASSERT(plane_deg >= LowestPlane_deg(elevation_deg) - kRounding_deg);
+  RC_ASSERT(plane_deg <= 135 + kRounding_deg);
+  RC_ASSERT(elevation_deg >= 0 && elevation_deg <= 180);
+  RC_ASSERT(Apart_rad(Whole().SolvePose(solution.used), solution.pose) < 1e-9);
+  const ArmAngles arm = ArmAnglesFromRotation(solution.pose.q_TH());
+  RC_ASSERT(std::abs(arm.elevation_rad - solution.used.elevation_rad) < 1e-9);
+}
+
+// Neither over straight up nor over hanging, nor round behind the body, does the arm jump.
+TEST(WholeRange, TurnsTheHumerusWithoutAJumpAllTheWayRound) {
+  // The answer moves by up to 11 deg a degree. Straight up the humerus alone turns, from one limit
+  // to the other: by 165 deg between planes 225 and 240, and 15 / 8 of that rate midway.
+  constexpr double kFastest = 3 * 11;
+  constexpr double kStep_deg = 0.01;
+  for (const double elevation_deg :
+       {0.0, 1e-9, 0.5, 20.0, 60.0, 90.0, 110.0, 130.0, 160.0, 179.0, 179.99, 180 - 1e-9, 180.0}) {
+    double fastest_deg = 0;
+    double at_deg = 0;
+    ShoulderPose before = PoseAt_deg(elevation_deg, -180);
+    for (int i = 1; i <= 36000; ++i) {
+      const ShoulderPose pose = PoseAt_deg(elevation_deg, -180 + kStep_deg * i);
+      const double turned_deg = DegreesFromRadians(
+          std::max({AngleBetween(before.q_TC, pose.q_TC), AngleBetween(before.q_CS, pose.q_CS),
+                    AngleBetween(before.q_TH(), pose.q_TH())}));
+      if (!(turned_deg <= fastest_deg)) {
+        fastest_deg = turned_deg;
+        at_deg = -180 + kStep_deg * i;
+      }
+      before = pose;
+    }
+    EXPECT_LT(fastest_deg, kFastest * kStep_deg)
+        << "elevation " << elevation_deg << ", plane " << at_deg;
+  }
+}
+
+// Along every plane the arm comes to straight up and to hanging without a jump.
+TEST(WholeRange, ComesToItsEndsWithoutAJumpAlongEveryPlane) {
+  for (const double plane_deg : Steps(-180, 180, 360)) {
+    for (const double end_deg : {0.0, 180.0}) {
+      const double near_deg = end_deg == 0 ? 1e-6 : 180 - 1e-6;
+      const ShoulderPose end = PoseAt_deg(end_deg, plane_deg);
+      const ShoulderPose near = PoseAt_deg(near_deg, plane_deg);
+      EXPECT_LT(DegreesFromRadians(AngleBetween(end.q_TH(), near.q_TH())), 1e-4) << plane_deg;
+      EXPECT_LT(DegreesFromRadians(Apart_rad(end, near)), 1e-4) << plane_deg;
+    }
+  }
+}
+
+// A table with the planes of another one, moved and stretched.
+std::vector<MeasuredRow> RowsOfPlanes(double first_deg, double last_deg) {
+  std::vector<MeasuredRow> rows = MeasuredRows();
+  for (MeasuredRow& row : rows) {
+    row.plane_deg = first_deg + row.plane_deg * (last_deg - first_deg) / 90;
+  }
+  return rows;
+}
+
+TEST(WholeRange, IsRefusedForATableOfPlanesThatNoArmReaches) {
+  const auto whole = [](double first_deg, double last_deg) {
+    return ShoulderRhythm(TableOf(RowsOfPlanes(first_deg, last_deg)),
+                          {Interpolation::kSmooth, Closure::kExact, Range::kWhole});
+  };
+  for (const auto& [first_deg, last_deg, wrong_deg] :
+       {std::array{-96.0, 90.0, -96.0}, std::array{0.0, 136.0, 136.0}}) {
+    try {
+      const ShoulderRhythm rhythm = whole(first_deg, last_deg);
+      ADD_FAILURE() << first_deg << " to " << last_deg << " accepted";
+    } catch (const std::invalid_argument& error) {
+      EXPECT_EQ(std::string(error.what()),
+                "the table's plane " + std::to_string(wrong_deg) +
+                    " deg is beyond what an arm reaches, -95 to 135 deg. Choose the range clamp");
+    }
+    // The range clamp takes it.
+    const ShoulderRhythm clamped(TableOf(RowsOfPlanes(first_deg, last_deg)),
+                                 {Interpolation::kSmooth, Closure::kExact, Range::kClamp});
+    EXPECT_FALSE(clamped.Solve(Command_deg(60, wrong_deg)).clamped);
+  }
+  EXPECT_FALSE(whole(0, 135).Solve(Command_deg(60, 135)).clamped);
+}
+
+// A table's own planes are reached at every elevation.
+TEST(WholeRange, ReachesThePlanesOfATableBehindTheBody) {
+  const ShoulderRhythm rhythm(TableOf(RowsOfPlanes(-45, 90)),
+                              {Interpolation::kSmooth, Closure::kExact, Range::kWhole});
+  for (const double elevation_deg : Steps(0, 180, 36)) {
+    EXPECT_FALSE(rhythm.Solve(Command_deg(elevation_deg, -44.999)).clamped) << elevation_deg;
+  }
 }
 
 TEST(ClampedRange, HasTheTablesElevationsAndPlanes) {
@@ -602,7 +792,7 @@ TEST(ShoulderRhythm, TakesANanForTheLowestPlaneThatAnArmReaches) {
     ArmCommand command = Command_deg(elevation_deg, 0);
     command.plane_rad = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(Bounded().Solve(command).used.plane_rad,
-              LowestPlaneAt(command.elevation_rad).plane_rad);
+              Whole().LowestPlaneAt(command.elevation_rad));
   }
 }
 

@@ -76,17 +76,17 @@ ShoulderRhythm WithFourPlanes() {
 // Everything that is asked of a rhythm, and some things that nobody means.
 rc::Gen<ArmCommand> AnyCommand() {
   const auto somewhere =
-      rc::gen::exec([] { return Command_deg(*NumberWithin(-20, 200), *NumberWithin(-90, 170)); });
+      rc::gen::exec([] { return Command_deg(*NumberWithin(-20, 200), *NumberWithin(-400, 400)); });
   const auto at_an_edge = rc::gen::exec([] {
-    return Command_deg(*rc::gen::element(0., 15., 60., 85., 90., 120., 135., 150., 180.),
-                       *rc::gen::element(-60., -30., 0., 40., 90., 135.));
+    return Command_deg(*rc::gen::element(0., 15., 55., 90., 115., 120., 135., 150., 180.),
+                       *rc::gen::element(-160., -95., -30., 0., 40., 90., 135., 200., 350.));
   });
   const auto added_to = rc::gen::exec([] {
-    return Command_deg(*NumberWithin(-20, 200), *NumberWithin(-90, 170), *NumberWithin(-90, 90),
+    return Command_deg(*NumberWithin(-20, 200), *NumberWithin(-400, 400), *NumberWithin(-90, 90),
                        *NumberWithin(-40, 40), *NumberWithin(-40, 40));
   });
   const auto not_finite = rc::gen::exec([] {
-    ArmCommand command = Command_deg(*NumberWithin(0, 180), *NumberWithin(-60, 135));
+    ArmCommand command = Command_deg(*NumberWithin(0, 180), *NumberWithin(-95, 135));
     const auto member = *rc::gen::element(&ArmCommand::elevation_rad, &ArmCommand::plane_rad,
                                           &ArmCommand::axial_rad, &ArmCommand::shrug_rad,
                                           &ArmCommand::protraction_rad);
@@ -186,7 +186,7 @@ RC_GTEST_PROP(SolveMany, GivesTheBitsOfOneByOneWithATableOfFourPlanes, ()) {
 // All that each region of the rule holds, so that no region is left to chance.
 TEST(SolveMany, GivesTheBitsOfOneByOneAllOverTheRange) {
   std::vector<ArmCommand> commands;
-  for (const double plane_deg : Steps(-70, 145, 43)) {
+  for (const double plane_deg : Steps(-195, 235, 86)) {
     for (const double elevation_deg : Steps(-5, 185, 95)) {
       commands.push_back(Command_deg(elevation_deg, plane_deg));
     }

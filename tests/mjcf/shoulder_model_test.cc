@@ -464,7 +464,7 @@ TEST(PluginModel, TakesCommandsForAllThatAnArmReaches) {
   EXPECT_EQ(NumbersOf(model.Named("plugin", "elevation_r"), "ctrlrange"),
             (std::vector<double>{0, RadiansFromDegrees(180)}));
   EXPECT_EQ(NumbersOf(model.Named("plugin", "plane_r"), "ctrlrange"),
-            (std::vector<double>{RadiansFromDegrees(-60), RadiansFromDegrees(135)}));
+            (std::vector<double>{RadiansFromDegrees(-95), RadiansFromDegrees(135)}));
 }
 
 TEST(PublishedModel, TakesCommandsWithinTheTable) {
@@ -785,7 +785,7 @@ TEST(BuiltInAnatomy, HoldsTheWholeRhythmInItsRanges) {
     return true;
   };
   for (double elevation_deg = 0.25; elevation_deg < 180; elevation_deg += 0.5) {
-    for (double plane_deg = -59.75; plane_deg < 135; plane_deg += 0.5) {
+    for (double plane_deg = -94.75; plane_deg < 135; plane_deg += 0.5) {
       ASSERT_TRUE(within({RadiansFromDegrees(elevation_deg), RadiansFromDegrees(plane_deg)}))
           << "elevation " << elevation_deg << ", plane " << plane_deg;
     }

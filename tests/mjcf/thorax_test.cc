@@ -98,7 +98,7 @@ TEST_P(EitherAssembly, HasLigamentsThatTheRhythmNeverStretches) {
     double longest_m = 0;
     // Between the places where slack was looked for.
     for (double elevation_deg = 0.5; elevation_deg < 180; elevation_deg += 1) {
-      for (double plane_deg = -59.5; plane_deg < 135; plane_deg += 3) {
+      for (double plane_deg = -94.5; plane_deg < 135; plane_deg += 3) {
         longest_m = std::max(longest_m,
                              LigamentLength_m(BuiltIn().ligament(name), BuiltIn(),
                                               rhythm.SolvePose({RadiansFromDegrees(elevation_deg),

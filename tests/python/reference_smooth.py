@@ -41,11 +41,16 @@ JOINT_RANGES = Path(__file__).resolve().parents[2] / "data" / "joint_ranges.csv"
 LOWEST_MEASURED, HIGHEST_MEASURED = math.radians(15.0), math.radians(120.0)
 FRONTAL, SAGITTAL = 0.0, math.radians(90.0)
 HANGING, STRAIGHT_UP = 0.0, math.radians(180.0)
-HIGHEST_PLANE = math.radians(135.0)
 
-# The lowest plane that an arm can reach, by elevation: straight lines between these, level outside.
-REACH_ELEVATIONS_DEG = (60.0, 85.0)
-REACH_PLANES_DEG = (-60.0, -30.0)
+# What an arm can reach: planes from behind the body to across the chest; between the first plane
+# and the one that is free at every elevation only what lies outside a circle, which touches the
+# free plane and has its centre at an elevation.
+BEHIND_DEG, FREE_DEG, ACROSS_DEG = -95.0, -30.0, 135.0
+CIRCLE_ELEVATION_DEG, CIRCLE_RADIUS_DEG = 107.5, 45.0
+# What is not reached: planes seen from the middle of the reach; between the first plane and the
+# last one there is a wedge, this far to either side of the plane opposite to the middle.
+MIDDLE_DEG = (BEHIND_DEG + ACROSS_DEG) / 2.0
+HALF_WEDGE_DEG = 180.0 - (ACROSS_DEG - MIDDLE_DEG)
 
 # Across the borders of plane: how far the edge's velocity carries on, and how far the bone turns
 # about the parent's y with a raised arm in front of the sagittal plane (rad/rad).
@@ -176,8 +181,164 @@ def twist(q_TH: Array) -> Array:
     return 2.0 * np.arctan2(q_TH[2], q_TH[0])
 
 
+def direction_deg(elevation_deg: Array | float, plane_deg: Array | float) -> Array:
+    return arm_direction(np.radians(elevation_deg), np.radians(plane_deg))
+
+
+def apart_deg(a: Array, b: Array) -> Array:
+    """The angle between unit vectors (3, N), precise for small ones."""
+    sine = np.linalg.norm(np.cross(a, b, axis=0), axis=0)
+    return np.degrees(np.arctan2(sine, np.sum(a * b, axis=0)))
+
+
+def as_seen_from(plane_deg: Array | float, middle_deg: float) -> Array:
+    """The plane, whole turns away from the one given, that is within half a turn of another."""
+    away_deg = np.asarray(plane_deg, dtype=float) - middle_deg
+    turned_deg = middle_deg + np.remainder(away_deg + 180.0, 360.0) - 180.0
+    return np.where(np.abs(away_deg) <= 180.0, plane_deg, turned_deg)
+
+
+def normal_of(plane_deg: float) -> Array:
+    """Of the plane through hanging and straight up, to higher planes."""
+    return np.array([math.cos(math.radians(plane_deg)), 0.0, -math.sin(math.radians(plane_deg))])
+
+
+# The centre is a radius away from the free plane: sin(radius) = sin(elevation) sin(beyond).
+CENTRE_PLANE_DEG = FREE_DEG - math.degrees(
+    math.asin(math.sin(math.radians(CIRCLE_RADIUS_DEG)) / math.sin(math.radians(CIRCLE_ELEVATION_DEG)))
+)
+CENTRE = direction_deg(CIRCLE_ELEVATION_DEG, CENTRE_PLANE_DEG)
+
+
+def touch_deg() -> float:
+    """The elevation at which the circle touches the free plane: below the centre's foot on it."""
+    normal = normal_of(FREE_DEG)
+    foot = CENTRE - (CENTRE @ normal) * normal
+    return math.degrees(math.atan2(math.hypot(foot[0], foot[2]), -foot[1]))
+
+
+TOUCH_DEG = touch_deg()
+# Behind its centre the circle's lowest elevation is the limit, from the first plane on.
+CORNER_DEG = CIRCLE_ELEVATION_DEG - CIRCLE_RADIUS_DEG
+
+
 def lowest_plane_deg(elevation_deg: Array | float) -> Array:
-    return np.asarray(np.interp(elevation_deg, REACH_ELEVATIONS_DEG, REACH_PLANES_DEG))
+    """The first plane up to the corner, the circle in front of its centre, the free plane above.
+
+    On the circle the angle to the centre is the radius: the law of cosines of the triangle of the
+    centre, the direction and hanging.
+    """
+    elevation_deg = np.asarray(elevation_deg, dtype=float)
+    e = np.radians(np.clip(elevation_deg, CORNER_DEG, TOUCH_DEG))
+    c, r = math.radians(CIRCLE_ELEVATION_DEG), math.radians(CIRCLE_RADIUS_DEG)
+    cosine = (math.cos(r) - math.cos(c) * np.cos(e)) / (math.sin(c) * np.sin(e))
+    on_circle_deg = CENTRE_PLANE_DEG + np.degrees(np.arccos(np.clip(cosine, -1.0, 1.0)))
+    limit_deg = np.where(elevation_deg >= TOUCH_DEG, FREE_DEG, np.minimum(on_circle_deg, FREE_DEG))
+    return np.where(elevation_deg <= CORNER_DEG, BEHIND_DEG, limit_deg)
+
+
+def reached(elevation_deg: Array, plane_deg: Array) -> Array:
+    """Planes as seen from the middle."""
+    return (plane_deg >= lowest_plane_deg(elevation_deg)) & (plane_deg <= ACROSS_DEG)
+
+
+def nearest_on_plane(
+    v: Array, plane_deg: float, lowest_deg: float, highest_deg: float
+) -> tuple[Array, Array]:
+    """The elevation (deg) of the nearest direction of a piece of a plane, and its distance.
+
+    The foot of the perpendicular where that is on the piece, else one of its ends.
+    """
+    normal = normal_of(plane_deg)[:, None]
+    foot = v - np.sum(normal * v, axis=0) * normal
+    level = direction_deg(90.0, plane_deg)[:, None]
+    elevation_deg = np.degrees(np.arctan2(np.sum(level * foot, axis=0), -foot[1]))
+    ends_deg = np.array([lowest_deg, highest_deg])
+    to_ends_deg = np.stack(
+        [apart_deg(v, np.repeat(direction_deg(e, plane_deg)[:, None], v.shape[1], axis=1)) for e in ends_deg]
+    )
+    is_on_piece = (elevation_deg >= lowest_deg) & (elevation_deg <= highest_deg)
+    elevation_deg = np.where(is_on_piece, elevation_deg, ends_deg[np.argmin(to_ends_deg, axis=0)])
+    there = direction_deg(elevation_deg, np.full_like(elevation_deg, plane_deg))
+    return elevation_deg, apart_deg(v, there)
+
+
+def nearest_on_circle(v: Array) -> tuple[Array, Array, Array]:
+    """Elevation, plane (deg) and distance; infinite where the circle is not the limit."""
+    centre = CENTRE[:, None]
+    away = v - np.sum(centre * v, axis=0) * centre
+    length = np.linalg.norm(away, axis=0)
+    away = away / np.where(length > 0.0, length, 1.0)
+    r = math.radians(CIRCLE_RADIUS_DEG)
+    foot = math.cos(r) * centre + math.sin(r) * away
+    elevation_deg = np.degrees(np.arctan2(np.hypot(foot[0], foot[2]), -foot[1]))
+    plane_deg = as_seen_from(np.degrees(np.arctan2(foot[0], foot[2])), CENTRE_PLANE_DEG)
+    is_limit = (plane_deg >= CENTRE_PLANE_DEG) & (elevation_deg <= TOUCH_DEG) & (length > 0.0)
+    return elevation_deg, plane_deg, np.where(is_limit, apart_deg(v, foot), np.inf)
+
+
+def bump(x: Array) -> Array:
+    """From 1 at 0 to 0 at 1, level outside: 1 - 10 x^3 + 15 x^4 - 6 x^5."""
+    x = np.clip(x, 0.0, 1.0)
+    return np.asarray(1.0 - x**3 * (10.0 - 15.0 * x + 6.0 * x**2))
+
+
+def nearest_reached_deg(elevation_deg: Array, plane_deg: Array) -> tuple[Array, Array, Array]:
+    """Elevation, plane and distance of the limit's nearest direction to ones outside (deg)."""
+    v = direction_deg(elevation_deg, plane_deg)
+    across = nearest_on_plane(v, ACROSS_DEG, 0.0, 180.0)
+    behind = nearest_on_plane(v, BEHIND_DEG, 0.0, CORNER_DEG)
+    above = nearest_on_plane(v, FREE_DEG, TOUCH_DEG, 180.0)
+    circle = nearest_on_circle(v)
+    # Above the piece of one elevation the direction below is nearest; beside it one of its ends is,
+    # which other pieces end in, too.
+    below_plane_deg = np.clip(plane_deg, BEHIND_DEG, CENTRE_PLANE_DEG)
+    below_elevation_deg = np.full_like(plane_deg, CORNER_DEG)
+    below_distance_deg = apart_deg(v, direction_deg(below_elevation_deg, below_plane_deg))
+    elevations_deg = np.stack([across[0], behind[0], above[0], circle[0], below_elevation_deg])
+    planes_deg = np.stack(
+        [np.full_like(plane_deg, p) for p in (ACROSS_DEG, BEHIND_DEG, FREE_DEG)]
+        + [circle[1], below_plane_deg]
+    )
+    distances_deg = np.stack([across[1], behind[1], above[1], circle[2], below_distance_deg])
+    best = np.argmin(distances_deg, axis=0)[None]
+    found = [np.take_along_axis(a, best, axis=0)[0] for a in (elevations_deg, planes_deg)]
+    # Straight up the plane passes over from one limit to the other within a quarter turn of both.
+    from_deg, to_deg = ACROSS_DEG + 90.0, FREE_DEG + 270.0
+    turned_deg = np.where(plane_deg < MIDDLE_DEG, plane_deg + 360.0, plane_deg)
+    passing = bump((turned_deg - from_deg) / (to_deg - from_deg))
+    straight_up_deg = FREE_DEG + (ACROSS_DEG - FREE_DEG) * passing
+    found[1] = np.where(found[0] == math.degrees(STRAIGHT_UP), straight_up_deg, found[1])
+    return found[0], found[1], np.take_along_axis(distances_deg, best, axis=0)[0]
+
+
+def answer_deg(elevation_deg: Array, plane_deg: Array) -> tuple[Array, Array]:
+    """The direction that answers one: itself where it is reached. Elevation within 0 to 180.
+
+    answer = n + V (h - n), in elevation and plane, with n the nearest direction that is reached and
+    h one in the middle of the reach:
+
+    1 - V = (1 - bump(|s| / 0.25) bump((theta - 55) / 60)) bump((distance - 20) / 24)
+    h     = (theta (1 - (1 - cos 65) bump((theta - 90) / 90)), 20)
+
+    s is 0 opposite to the middle and 1 in size at the ends of the wedge.
+    """
+    plane_deg = as_seen_from(plane_deg, MIDDLE_DEG)
+    nearest_elevation_deg, nearest_plane_deg, distance_deg = nearest_reached_deg(elevation_deg, plane_deg)
+    from_opposite_deg = 180.0 - np.abs(plane_deg - MIDDLE_DEG)
+    in_wedge = bump(from_opposite_deg / HALF_WEDGE_DEG / 0.25) * bump((elevation_deg - 55.0) / 60.0)
+    v = 1.0 - (1.0 - in_wedge) * bump((distance_deg - 20.0) / 24.0)
+    lowered = (1.0 - math.cos(math.radians(HALF_WEDGE_DEG))) * bump((elevation_deg - 90.0) / 90.0)
+    middle_elevation_deg = elevation_deg * (1.0 - lowered)
+    is_reached = reached(elevation_deg, plane_deg)
+    return (
+        np.where(
+            is_reached,
+            elevation_deg,
+            nearest_elevation_deg + v * (middle_elevation_deg - nearest_elevation_deg),
+        ),
+        np.where(is_reached, plane_deg, nearest_plane_deg + v * (MIDDLE_DEG - nearest_plane_deg)),
+    )
 
 
 def distance_from_measured_deg(elevation_deg: Array | float, plane_deg: Array | float) -> Array:
@@ -607,15 +768,26 @@ class SmoothRhythm:
     def answerable(
         self, elevation_deg: Array | float, plane_deg: Array | float, extent: Extent
     ) -> tuple[Array, Array]:
-        """The nearest elevation, and at that elevation the nearest plane."""
+        """The nearest elevation and, with the extent clamp, the nearest plane of the table.
+
+        A plane is an angle: whole turns do not count.
+        """
         if extent == "clamp":
+            first_deg, last_deg = self.planes_deg[0], self.planes_deg[-1]
+            seen_deg = as_seen_from(plane_deg, (first_deg + last_deg) / 2.0)
             return (
                 np.clip(elevation_deg, self.elevations_deg[0], self.elevations_deg[-1]),
-                np.clip(plane_deg, self.planes_deg[0], self.planes_deg[-1]),
+                np.clip(seen_deg, first_deg, last_deg),
             )
         theta_deg = np.clip(elevation_deg, math.degrees(HANGING), math.degrees(STRAIGHT_UP))
-        highest_deg = math.degrees(HIGHEST_PLANE)
-        return theta_deg, np.clip(plane_deg, lowest_plane_deg(theta_deg), highest_deg)
+        return answer_deg(*np.broadcast_arrays(theta_deg, np.asarray(plane_deg, dtype=float)))
+
+    def is_answered_by_another(self, elevation_deg: Array, plane_deg: Array, extent: Extent) -> Array:
+        """Hanging, every plane is the same direction."""
+        theta_deg, psi_deg = self.answerable(elevation_deg, plane_deg, extent)
+        other_plane = np.abs(as_seen_from(plane_deg - psi_deg, 0.0)) > 1e-12
+        is_hanging = (elevation_deg == 0.0) & (theta_deg < 1e-12)
+        return ~is_hanging & ((theta_deg != elevation_deg) | other_plane)
 
     def command(
         self,
@@ -661,7 +833,7 @@ class SmoothRhythm:
             angles = euler_angles_deg(JOINT_SEQUENCES[joint], q)
             angles_deg.update(zip(JOINT_COORDINATES[joint], angles, strict=True))
         angles_deg["gh_axial"] = in_axial_window_deg(angles_deg["gh_axial"])
-        clamped = (theta_deg != elevation_deg) | (psi_deg != plane_deg)
+        clamped = self.is_answered_by_another(elevation_deg, plane_deg, extent)
         for name, added in additions.items():
             clamped |= added != getattr(command, name)
         return SmoothPoses(
@@ -673,6 +845,25 @@ class SmoothRhythm:
             gh_stops=share < 1.0,
             rotations=rotations,
             angles_deg=angles_deg,
+        )
+
+    def moved_or_answered(
+        self,
+        command: Command,
+        is_other: Array,
+        asked_deg: tuple[Array, Array],
+        moved: tuple[float, float],
+        extent: Extent,
+    ) -> Command:
+        """A command moved, or where another one answers it what answers the one asked for."""
+        theta_deg, psi_deg = self.answerable(*asked_deg, extent)
+        plain = command.moved(*moved)
+        return Command(
+            np.where(is_other, np.radians(theta_deg), plain.theta),
+            np.where(is_other, np.radians(psi_deg), plain.psi),
+            plain.axial,
+            plain.shrug,
+            plain.protraction,
         )
 
     def rates(
@@ -699,11 +890,22 @@ class SmoothRhythm:
             elevation_deg, plane_deg, axial_deg, shrug_deg, protraction_deg, closure, extent
         )
         h = 1e-6
+        is_other = self.is_answered_by_another(elevation_deg, plane_deg, extent)
         result: dict[str, dict[str, Array]] = {joint: {} for joint in JOINT_SEQUENCES}
         here = self.joint_rotations(command, closure, extent)
         for name, d_theta, d_psi in (("elevation", h, 0.0), ("plane", 0.0, h)):
             once, twice = (
-                self.joint_rotations(command.moved(n * d_theta, n * d_psi), closure, extent)
+                self.joint_rotations(
+                    self.moved_or_answered(
+                        command,
+                        is_other,
+                        (elevation_deg + n * math.degrees(d_theta), plane_deg + n * math.degrees(d_psi)),
+                        (n * d_theta, n * d_psi),
+                        extent,
+                    ),
+                    closure,
+                    extent,
+                )
                 for n in (1.0, 2.0)
             )
             for joint in JOINT_SEQUENCES:

@@ -185,7 +185,7 @@ def test_positions_beyond_the_table_are_marked_or_left_out(
 
 
 def test_the_default_map_is_the_whole_range_in_steps_of_five(girdle_fine: Girdle) -> None:
-    typed = ("--elevation", "0:180:5", "--plane", "-60:135:5")
+    typed = ("--elevation", "0:180:5", "--plane", "-95:135:5")
     assert girdle_fine("compare", *typed).output == girdle_fine("compare").output
 
 

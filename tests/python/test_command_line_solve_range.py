@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import csv
 import json
+import math
 import re
 from pathlib import Path
 from typing import Any
@@ -122,6 +123,35 @@ def test_unless_told_otherwise_the_arm_points_where_it_was_asked_to(
     q_TH = humerus(solve(girdle_fine, elevation, plane)["angles_deg"])
     reached_deg = elevation_and_plane_deg(q_TH)
     assert reached_deg == pytest.approx((elevation, plane), abs=1e-7)
+
+
+def functional_positions() -> list[tuple[str, float, float]]:
+    text = DATABASE.with_name("functional_positions.csv").read_text(encoding="utf-8")
+    rows = csv.DictReader(line for line in text.splitlines() if not line.startswith("#"))
+    return [(r["position"], float(r["elevation_deg"]), float(r["plane_deg"])) for r in rows]
+
+
+@pytest.mark.parametrize(("position", "elevation", "plane"), functional_positions())
+def test_positions_of_daily_tasks_are_reached(
+    girdle_fine: Girdle, position: str, elevation: float, plane: float
+) -> None:
+    answer = solve(girdle_fine, elevation, plane)
+    assert not answer["clamped"], position
+    reached_deg = elevation_and_plane_deg(humerus(answer["angles_deg"]))
+    assert reached_deg == pytest.approx((elevation, plane), abs=1e-6)
+
+
+# Arm swing, extension, the hand up the back.
+@pytest.mark.parametrize("plane", [-60, -70, -80, -90])
+@pytest.mark.parametrize("elevation", [5, 20, 40, 60])
+def test_arms_swing_back_as_far_as_they_are_told_to(
+    girdle_fine: Girdle, elevation: float, plane: float
+) -> None:
+    answer = solve(girdle_fine, elevation, plane)
+    assert not answer["clamped"]
+    assert answer["origin"] == "modelled"
+    reached_deg = elevation_and_plane_deg(humerus(answer["angles_deg"]))
+    assert reached_deg == pytest.approx((elevation, plane), abs=1e-6)
 
 
 SAID = {
@@ -243,17 +273,27 @@ def test_a_clamped_pose_is_as_measured_as_the_one_that_is_used(girdle_fine: Gird
 # --- What is used instead ------------------------------------------------------------------------
 
 
+def foot_deg(elevation_deg: float, beyond_deg: float) -> float:
+    """The elevation of the direction of a plane that is nearest to one so far beyond it."""
+    theta, beyond = math.radians(elevation_deg), math.radians(beyond_deg)
+    return math.degrees(math.atan2(math.sin(theta) * math.cos(beyond), math.cos(theta)))
+
+
 @pytest.mark.parametrize(
     ("elevation", "plane", "used"),
     [
         (190, 30, {"elevation": 180}),
         (-5, 30, {"elevation": 0}),
-        (60, 150, {"plane": 135}),
-        (60, -70, {"plane": -60}),
-        (85, -45, {"plane": -30}),
-        # Half way from -60 at 60 to -30 at 85.
-        (72.5, -60, {"plane": -45}),
-        (200, -60, {"elevation": 180, "plane": -30}),
+        # Beside a plane the foot of the perpendicular: tan(foot) = tan(elevation) cos(beyond).
+        (60, 150, {"elevation": foot_deg(60, 15), "plane": 135}),
+        (60, -210, {"elevation": foot_deg(60, 15), "plane": 135}),
+        (60, -100, {"elevation": foot_deg(60, 5), "plane": -95}),
+        (150, -45, {"elevation": foot_deg(150, 15), "plane": -30}),
+        (200, -50, {"elevation": 180, "plane": -30}),
+        # Behind the body elevations end at 62.5.
+        (70, -90, {"elevation": 62.5}),
+        # Far from all that is reached: in the middle of its planes.
+        (90, 200, {"elevation": 90 * math.cos(math.radians(65)), "plane": 20}),
     ],
 )
 def test_beyond_what_an_arm_can_reach_the_nearest_is_used(
@@ -271,6 +311,23 @@ def test_beyond_what_an_arm_can_reach_the_nearest_is_used(
     assert line.count(", ") == len(used) - 1
     found = {name: float(value) for name, value in re.findall(r"(\w+) (\S+) deg", line)}
     assert found == pytest.approx(used, abs=TEXT)
+
+
+@pytest.mark.parametrize(("elevation", "plane", "same"), [(60, 350, -10), (30, -300, 60), (0, 180, 0)])
+def test_a_plane_is_an_angle(girdle_fine: Girdle, elevation: float, plane: float, same: float) -> None:
+    """Whole turns do not matter, and hanging all planes are one."""
+    answer, expected = (solve(girdle_fine, elevation, p) for p in (plane, same))
+    assert answer["clamped"] is False
+    assert answer["angles_deg"] == pytest.approx(expected["angles_deg"], abs=ROUNDING_DEG)
+    assert answer["origin"] == expected["origin"]
+    assert answer["distance_deg"] == pytest.approx(expected["distance_deg"], abs=ROUNDING_DEG)
+    assert "clamped" not in girdle_fine("solve", *words(elevation, plane)).text
+
+
+def test_what_is_clamped_beside_a_whole_turn_is_named_alone(girdle_fine: Girdle) -> None:
+    text = girdle_fine("solve", *words(60, 390), "--axial=170").text
+    (line,) = re.findall(r"^clamped .*: (.*)", text, re.MULTILINE)
+    assert re.fullmatch(r"axial \S+ deg", line)
 
 
 # --- Offsets -------------------------------------------------------------------------------------
@@ -323,7 +380,7 @@ def test_what_is_added_ends_at_the_joints_range(
 
 
 @pytest.mark.parametrize("axial", [-150, -90, -60, -20, 60, 150])
-@pytest.mark.parametrize(("elevation", "plane"), [(90, -30), (60, -60), (85, -30), (150, -30)])
+@pytest.mark.parametrize(("elevation", "plane"), [(90, -30), (60, -60), (60, -95), (85, -45), (150, -30)])
 def test_behind_the_body_too_axial_ends_at_the_joints_range(
     girdle_fine: Girdle, elevation: float, plane: float, axial: float
 ) -> None:
@@ -526,13 +583,19 @@ def test_second_derivatives_of_the_rotations_are_the_limits_of_differences(
 
 
 @pytest.mark.parametrize(
-    ("elevation", "plane", "by"),
-    [(190, 30, "elevation"), (-5, 30, "elevation"), (60, 150, "plane"), (85.5, -50, "plane")],
+    ("elevation", "plane", "by", "range_"),
+    [
+        (190, 30, "elevation", "whole"),
+        (-5, 30, "elevation", "whole"),
+        (60, 100, "plane", "clamp"),
+        (60, -50, "plane", "clamp"),
+        (130, 30, "elevation", "clamp"),
+    ],
 )
 def test_where_a_command_is_clamped_nothing_changes_with_it(
-    girdle_fine: Girdle, elevation: float, plane: float, by: str
+    girdle_fine: Girdle, elevation: float, plane: float, by: str, range_: str
 ) -> None:
-    found = solve(girdle_fine, elevation, plane, "--rates")["derivatives"]
+    found = solve(girdle_fine, elevation, plane, "--rates", f"--range={range_}")["derivatives"]
     assert {angle[f"by_{by}"] for angle in found["angles"].values()} == {0.0}
     assert [w[f"by_{by}"] for w in found["angular_velocity"].values()] == [[0.0] * 3] * 3
 

@@ -317,7 +317,7 @@ def test_what_was_not_measured_is_stated_and_not_judged(
     beside = "TS, AI to ellipsoid, outside measured data"
     _, whole = verify(girdle, generated / SCENE_FILE)
     distance = lines_of(whole, "range")["farthest from measured data"]
-    # At elevation 60 the plane -60 is 60 deg of plane beside the frontal one.
+    # Straight up is 60 deg above the table, and a level arm behind the body farther beside it.
     assert distance["value"] > 45
     assert distance["tolerance"] is lines_of(whole, "scapulothoracic")[beside]["tolerance"] is None
     _, clamp = verify(girdle, models("--range", "clamp") / SCENE_FILE)

@@ -335,9 +335,9 @@ def test_scapulohumeral_ratios_are_those_of_compare(page: Page, run_program: Run
 
 def test_upward_rotation_on_the_map_is_that_of_compare(page: Page, run_program: RunProgram) -> None:
     shown = table_by_row(page, "map_of_upward_rotation")
-    planes = ["-60", "-30", "0", "45", "90", "135"]
+    planes = ["-90", "-60", "-30", "0", "45", "90", "135"]
     rows = csv.DictReader(
-        io.StringIO(run_program("solve", "--elevation", "0:180:30", "--plane", "-60:135:15"))
+        io.StringIO(run_program("solve", "--elevation", "0:180:30", "--plane", "-105:135:15"))
     )
     # ST by its own formula: the angles Y-X'-Z'' of SC followed by AC.
     for row in rows:
@@ -367,7 +367,7 @@ def test_differences_of_published_rhythms_are_those_of_compare(
     page: Page, run_program: RunProgram
 ) -> None:
     shown = table_by_row(page, "maps_of_published_rhythms")
-    words = ("--elevation", "0:180:15", "--plane", "-60:135:15", "--json")
+    words = ("--elevation", "0:180:15", "--plane", "-105:135:15", "--json")
     rhythms = json.loads(run_program("compare", *words))["rhythms"]
     seen = 0
     for rhythm in rhythms:

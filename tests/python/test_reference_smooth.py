@@ -25,13 +25,20 @@ from reference_rhythm import (
     rotation_angle_deg,
 )
 from reference_smooth import (
+    CENTRE,
+    CENTRE_PLANE_DEG,
+    TOUCH_DEG,
     Closure,
     Command,
     Extent,
     SmoothRhythm,
     Spline,
     angles_between_deg,
+    answer_deg,
+    apart_deg,
     arm_direction,
+    as_seen_from,
+    direction_deg,
     distance_from_measured_deg,
     euler_angles_deg,
     euler_quaternions,
@@ -41,6 +48,7 @@ from reference_smooth import (
     lowest_plane_deg,
     mean_rotation,
     rate,
+    reached,
     read_joint_ranges,
     swing,
     turned,
@@ -84,10 +92,23 @@ def reachable_poses(random: np.random.Generator, count: int = SAMPLES) -> tuple[
 def reachable_grid(step_deg: float) -> tuple[Array, Array]:
     elevations_deg, planes_deg = np.meshgrid(
         np.arange(0.0, 180.0 + step_deg / 2.0, step_deg),
-        np.arange(-60.0, 135.0 + step_deg / 2.0, step_deg),
+        np.arange(-95.0, 135.0 + step_deg / 2.0, step_deg),
     )
     reachable = planes_deg >= lowest_plane_deg(elevations_deg)
     return elevations_deg[reachable], planes_deg[reachable]
+
+
+def published_grid(step_deg: float) -> tuple[Array, Array]:
+    """What the rule was published with: planes from -60 up to elevation 60, from -30 above 85."""
+    elevations_deg, planes_deg = (
+        a.ravel()
+        for a in np.meshgrid(
+            np.arange(0.0, 180.0 + step_deg / 2.0, step_deg),
+            np.arange(-60.0, 135.0 + step_deg / 2.0, step_deg),
+        )
+    )
+    counts = planes_deg >= np.interp(elevations_deg, (60.0, 85.0), (-60.0, -30.0))
+    return elevations_deg[counts], planes_deg[counts]
 
 
 def humerus(rotations: dict[str, Array]) -> Array:
@@ -458,13 +479,13 @@ def test_clavicle_and_scapula_stay_in_their_published_ranges(smooth: SmoothRhyth
         assert np.abs(found_deg - ranges_deg).max() < RANGE_DEG[name], (name, found_deg)
 
 
-# The same of GH, over what an arm can reach.
+# The same of GH, over the directions that the rule was published with.
 PUBLISHED_GH_RANGES_DEG = {
     "gh_elevation": (-118, 20),
     "gh_flexion": (-60, 72),
     "gh_axial": (-176, 24),
 }
-# gh_flexion comes to -61.6, at elevation 74 on the slope of the reach.
+# gh_flexion comes to -61.6, at elevation 74 on that line.
 GH_RANGE_DEG = {"gh_elevation": WHOLE, "gh_flexion": 2.0, "gh_axial": WHOLE}
 
 
@@ -472,21 +493,56 @@ GH_RANGE_DEG = {"gh_elevation": WHOLE, "gh_flexion": 2.0, "gh_axial": WHOLE}
 def test_the_humerus_in_the_scapula_stays_in_its_published_range(
     smooth: SmoothRhythm, coordinate: str
 ) -> None:
-    angle_deg = smooth.solve(*reachable_grid(3.0)).angles_deg[coordinate]
+    angle_deg = smooth.solve(*published_grid(3.0)).angles_deg[coordinate]
     found_deg = (angle_deg.min(), angle_deg.max())
     assert found_deg == pytest.approx(
         PUBLISHED_GH_RANGES_DEG[coordinate], abs=GH_RANGE_DEG[coordinate]
     )
 
 
+def test_over_the_whole_reach_every_joint_stays_in_its_range(smooth: SmoothRhythm) -> None:
+    angles_deg = smooth.solve(*reachable_grid(2.5)).angles_deg
+    ranges = read_joint_ranges()
+    for coordinate, found_deg in angles_deg.items():
+        low_deg, high_deg = ranges[coordinate]
+        assert low_deg < found_deg.min(), coordinate
+        assert found_deg.max() < high_deg, coordinate
+
+
 @pytest.mark.parametrize(
     ("elevation_deg", "lowest_deg"),
-    [(0, -60), (60, -60), (70, -48), (80, -36), (85, -30), (90, -30), (180, -30)],
+    [(0, -95), (30, -95), (62.5, -95), (115.5, -30), (150, -30), (180, -30)],
 )
-def test_an_arm_reaches_behind_the_frontal_plane_as_published(
-    elevation_deg: float, lowest_deg: float
-) -> None:
+def test_an_arm_reaches_behind_the_body(elevation_deg: float, lowest_deg: float) -> None:
     assert lowest_plane_deg(elevation_deg) == pytest.approx(lowest_deg, abs=ROUNDING_DEG)
+
+
+def test_between_the_planes_the_limit_is_a_circle_that_touches_the_free_plane() -> None:
+    elevations_deg = np.linspace(62.6, 115.0, 200)
+    planes_deg = lowest_plane_deg(elevations_deg)
+    centre = np.repeat(CENTRE[:, None], len(planes_deg), axis=1)
+    away_deg = apart_deg(direction_deg(elevations_deg, planes_deg), centre)
+    assert away_deg == pytest.approx(45.0, abs=ROUNDING_DEG)
+    assert (np.diff(planes_deg) > 0.0).all()
+    # No direction of the free plane is nearer to the centre than the radius, and one is as near.
+    along = np.linspace(0.0, 180.0, 100_001)
+    free = direction_deg(along, np.full_like(along, -30.0))
+    to_centre_deg = apart_deg(free, np.repeat(CENTRE[:, None], len(along), axis=1))
+    assert to_centre_deg.min() == pytest.approx(45.0, abs=1e-6)
+    assert along[to_centre_deg.argmin()] == pytest.approx(TOUCH_DEG, abs=0.002)
+    assert pytest.approx(115.0, abs=0.5) == TOUCH_DEG
+
+
+def on_plane_deg(elevation_deg: float, beyond_deg: float) -> float:
+    """The elevation of a direction's foot on a plane that it is `beyond_deg` of plane away from.
+
+    A right triangle of the direction, the foot and hanging: tan(foot) = tan(elevation) cos(beyond).
+    """
+    theta, beyond = math.radians(elevation_deg), math.radians(beyond_deg)
+    return math.degrees(math.atan2(math.sin(theta) * math.cos(beyond), math.cos(theta)))
+
+
+OPPOSITE_DEG = 90.0 * math.cos(math.radians(65.0))
 
 
 @pytest.mark.parametrize(
@@ -494,26 +550,131 @@ def test_an_arm_reaches_behind_the_frontal_plane_as_published(
     [
         ((-5.0, 30.0), (0.0, 30.0)),
         ((190.0, 30.0), (180.0, 30.0)),
-        ((60.0, 140.0), (60.0, 135.0)),
-        ((60.0, -61.0), (60.0, -60.0)),
-        ((90.0, -60.0), (90.0, -30.0)),
-        ((70.0, -60.0), (70.0, -48.0)),
-        ((200.0, -90.0), (180.0, -30.0)),
+        ((190.0, 390.0), (180.0, 30.0)),
+        ((60.0, 140.0), (on_plane_deg(60.0, 5.0), 135.0)),
+        ((60.0, -220.0), (on_plane_deg(60.0, 5.0), 135.0)),
+        ((60.0, -98.0), (on_plane_deg(60.0, 3.0), -95.0)),
+        ((150.0, -50.0), (on_plane_deg(150.0, 20.0), -30.0)),
+        ((200.0, -50.0), (180.0, -30.0)),
+        ((75.0, CENTRE_PLANE_DEG), (62.5, CENTRE_PLANE_DEG)),
+        ((75.0, -90.0), (62.5, -90.0)),
+        ((70.0, -100.0), (62.5, -95.0)),
+        ((90.0, -160.0), (OPPOSITE_DEG, 20.0)),
+        ((90.0, 200.0), (OPPOSITE_DEG, 20.0)),
     ],
 )
-def test_out_of_reach_the_nearest_plane_at_the_elevation_answers_and_says_so(
+def test_out_of_reach_the_stated_direction_answers_and_says_so(
     smooth: SmoothRhythm, asked: tuple[float, float], answered: tuple[float, float]
 ) -> None:
-    poses, expected = smooth.solve(*asked), smooth.solve(*answered)
+    poses = smooth.solve(*asked)
     assert poses.clamped.all()
-    assert not expected.clamped.any()
-    assert (poses.elevation_deg[0], poses.plane_deg[0]) == answered
-    assert poses.angles_deg == expected.angles_deg
+    found_deg = (poses.elevation_deg[0], poses.plane_deg[0])
+    assert found_deg == pytest.approx(answered, abs=ROUNDING_DEG)
+    # Half a rounding of the plane within, where nothing is another's answer.
+    expected = smooth.solve(*found_deg)
+    for coordinate, angle_deg in poses.angles_deg.items():
+        assert angle_deg == pytest.approx(expected.angles_deg[coordinate], abs=1e-8), coordinate
+
+
+@pytest.mark.parametrize("turns_deg", [-720.0, -360.0, 360.0])
+def test_whole_turns_of_the_plane_do_not_count(smooth: SmoothRhythm, turns_deg: float) -> None:
+    random = np.random.default_rng(SEED)
+    elevations_deg = random.uniform(0.0, 180.0, SAMPLES)
+    planes_deg = random.uniform(-159.0, 199.0, SAMPLES)
+    poses = smooth.solve(elevations_deg, planes_deg)
+    turned = smooth.solve(elevations_deg, planes_deg + turns_deg)
+    assert np.array_equal(turned.clamped, poses.clamped)
+    assert 0 < poses.clamped.sum() < SAMPLES
+    assert turned.plane_deg == pytest.approx(poses.plane_deg, abs=1e-9)
+    for joint in JOINT_SEQUENCES:
+        apart = angles_between_deg(turned.rotations[joint], poses.rotations[joint])
+        assert apart.max() < 1e-6, joint
+
+
+def test_hanging_clamps_no_plane(smooth: SmoothRhythm) -> None:
+    planes_deg = np.arange(-180.0, 181.0, 15.0)
+    poses = smooth.solve(np.zeros_like(planes_deg), planes_deg)
+    assert not poses.clamped.any()
+    assert np.abs(poses.elevation_deg).max() < ROUNDING_DEG
+
+
+def directions_all_over(count: int) -> tuple[Array, Array]:
+    random = np.random.default_rng(SEED)
+    return (
+        np.degrees(np.arccos(random.uniform(-1.0, 1.0, count))),
+        random.uniform(-180.0, 180.0, count),
+    )
+
+
+def test_the_answer_is_reached_and_the_nearest_where_one_side_is_clearly_nearer() -> None:
+    """Against many directions of the limit."""
+    step_deg = 0.05
+
+    def steps(first: float, last: float) -> Array:
+        return np.linspace(first, last, math.ceil((last - first) / step_deg) + 1)
+
+    front = direction_deg(steps(0.0, 180.0), 135.0 + 0.0 * steps(0.0, 180.0))
+    # The circle turned about its centre, from its lowest direction to where it touches.
+    lowest = direction_deg(62.5, CENTRE_PLANE_DEG)
+    touch = direction_deg(TOUCH_DEG, -30.0)
+    aside = np.cross(CENTRE, lowest)
+    level = lowest - (lowest @ CENTRE) * CENTRE
+    end_deg = math.degrees(math.atan2(touch @ aside, (touch @ level)))
+    turn = np.radians(steps(0.0, end_deg))
+    circle = (
+        math.cos(math.radians(45.0)) * CENTRE[:, None]
+        + np.cos(turn) * level[:, None]
+        + np.sin(turn) * aside[:, None]
+    )
+    rear = np.concatenate(
+        [
+            direction_deg(steps(0.0, 62.5), -95.0 + 0.0 * steps(0.0, 62.5)),
+            direction_deg(62.5 + 0.0 * steps(-95.0, CENTRE_PLANE_DEG), steps(-95.0, CENTRE_PLANE_DEG)),
+            circle,
+            direction_deg(steps(TOUCH_DEG, 180.0), -30.0 + 0.0 * steps(TOUCH_DEG, 180.0)),
+        ],
+        axis=1,
+    )
+    assert np.linalg.norm(rear, axis=0) == pytest.approx(1.0, abs=1e-12)
+    elevations_deg, planes_deg = directions_all_over(4000)
+    seen_deg = as_seen_from(planes_deg, 20.0)
+    outside = ~reached(elevations_deg, seen_deg)
+    elevations_deg, planes_deg = elevations_deg[outside], planes_deg[outside]
+    answered = answer_deg(elevations_deg, planes_deg)
+    assert reached(answered[0], answered[1] + 1e-9)[answered[1] < 0.0].all()
+    assert reached(answered[0], answered[1] - 1e-9)[answered[1] > 0.0].all()
+
+    v = direction_deg(elevations_deg, planes_deg)
+    distances_deg = np.array(
+        [np.degrees(np.arccos(np.clip((side.T @ v).max(axis=0), -1.0, 1.0))) for side in (front, rear)]
+    )
+    near_deg, far_deg = distances_deg.min(axis=0), distances_deg.max(axis=0)
+    is_clear = (near_deg <= 20.0) & (far_deg >= 1.5 * near_deg)
+    assert is_clear.sum() > 300
+    found_deg = apart_deg(v, direction_deg(*answered))
+    assert (found_deg <= near_deg + 1e-6)[is_clear].all()
+    assert (found_deg >= near_deg - step_deg)[is_clear].all()
+
+
+def test_the_answer_is_continuous_all_over_the_sphere() -> None:
+    elevations_deg, planes_deg = directions_all_over(100_000)
+    step = 1e-5
+    a = direction_deg(elevations_deg, planes_deg)
+    aside = np.random.default_rng(SEED + 1).normal(size=a.shape)
+    aside -= np.sum(aside * a, axis=0) * a
+    b = a + step * aside / np.linalg.norm(aside, axis=0)
+    b /= np.linalg.norm(b, axis=0)
+    moved = answer_deg(
+        np.degrees(np.arctan2(np.hypot(b[0], b[2]), -b[1])), np.degrees(np.arctan2(b[0], b[2]))
+    )
+    here = answer_deg(elevations_deg, planes_deg)
+    rate = np.radians(apart_deg(direction_deg(*here), direction_deg(*moved))) / step
+    assert rate.max() < 11.0
 
 
 @pytest.mark.parametrize("elevation_deg", [0.0, 180.0])
 def test_hanging_and_straight_up_have_no_plane(smooth: SmoothRhythm, elevation_deg: float) -> None:
-    planes_deg = np.arange(-60.0 if elevation_deg == 0.0 else -30.0, 136.0)
+    planes_deg = np.arange(-95.0 if elevation_deg == 0.0 else -30.0, 136.0)
     rotations = smooth.solve(np.full_like(planes_deg, elevation_deg), planes_deg).rotations
     # Straight up, the turn of the humerus keeps its plane: Codman's paradox.
     for joint in ("sc", "ac", "gh") if elevation_deg == 0.0 else ("sc", "ac"):
@@ -639,7 +800,7 @@ def test_the_velocities_of_the_joints_carry_the_arm_as_commanded(smooth: SmoothR
 def test_the_bones_turn_as_fast_as_published(
     smooth: SmoothRhythm, bone: str, command: str, fastest: float, tolerance: float
 ) -> None:
-    rates = bone_rates(smooth, *reachable_grid(3.0))
+    rates = bone_rates(smooth, *published_grid(3.0))
     found = np.linalg.norm(rates[command][bone], axis=0).max()
     assert found == pytest.approx(fastest, abs=tolerance)
 

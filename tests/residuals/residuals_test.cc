@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
@@ -202,12 +203,17 @@ TEST_F(MeasureResidualsTest, FindsAnArmThatFollowsItsTableInsteadOfTheCommand) {
 TEST_F(MeasureResidualsTest, VisitsAGridOfTheWholeRange) {
   const ShoulderRhythm rhythm = BuiltInRhythm();
   const ResidualReport report = Measure(rhythm, rhythm);
-  // No motion goes there: straight up, which is 60 deg above the highest measured elevation.
+  // No motion goes there: as far up and back as an arm reaches, 95 deg of plane beside the lowest
+  // measured elevation of the frontal one, which is nearest.
+  const double up_rad = RadiansFromDegrees(62.5);
+  const double lowest_rad = RadiansFromDegrees(15);
+  const double cosine = std::cos(up_rad) * std::cos(lowest_rad) +
+                        std::sin(up_rad) * std::sin(lowest_rad) * std::cos(RadiansFromDegrees(95));
   const Residual* farthest = Find(report, "farthest from measured data");
   ASSERT_NE(farthest, nullptr);
-  EXPECT_NEAR(farthest->value, 60, 1e-9);
+  EXPECT_NEAR(farthest->value, DegreesFromRadians(std::acos(cosine)), 1e-9);
   EXPECT_FALSE(farthest->tolerance);
-  EXPECT_EQ(farthest->where.rfind("grid, elevation 180", 0), 0U) << farthest->where;
+  EXPECT_EQ(farthest->where, "grid, elevation 62.5, plane -95");
 }
 
 TEST_F(MeasureResidualsTest, StatesTheGlidingOutsideMeasuredData) {

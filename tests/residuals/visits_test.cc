@@ -120,11 +120,17 @@ class VisitsTest : public EngineTest, public testing::WithParamInterface<ModelKi
   Recorded recorded_;
 };
 
-const std::vector<Motion> kMotions = {{"abduction", {0, 150}, {0, 0}},
-                                      {"scapular plane", {0, 150}, {40, 40}},
-                                      {"flexion", {0, 150}, {90, 90}},
-                                      // As far back as a level arm goes.
-                                      {"protraction at 90", {90, 90}, {-30, 135}}};
+// On the circle of arm_reach.h, of 45 deg about a centre at elevation 107.5, that touches plane
+// -30.
+const double kLowestPlaneOfALevelArm_deg =
+    60 - 2 * DegreesFromRadians(
+                 std::asin(std::sin(RadiansFromDegrees(45)) / std::sin(RadiansFromDegrees(107.5))));
+const std::vector<Motion> kMotions = {
+    {"abduction", {0, 150}, {0, 0}},
+    {"scapular plane", {0, 150}, {40, 40}},
+    {"flexion", {0, 150}, {90, 90}},
+    // As far back as a level arm goes.
+    {"protraction at 90", {90, 90}, {kLowestPlaneOfALevelArm_deg, 135}}};
 
 // Numbers of steps are counted through all phases of a motion, from 0.
 TEST_P(VisitsTest, GoThroughEveryMotionAndItsRest) {
@@ -214,12 +220,12 @@ TEST_P(VisitsTest, ShowEveryPositionOfTheTableOnce) {
   }
 }
 
-// Of 19 elevations and 21 planes; an arm that does not go so far goes as far as it does.
+// Of 19 elevations and 24 planes; an arm that does not go so far goes as far as it does.
 TEST_P(VisitsTest, ShowAGridOverAllThatTheArmReaches) {
   for (const PoseKind kind : {PoseKind::kGridHeld, PoseKind::kGridAsked}) {
     const Visits& visits = Poses("grid", kind);
-    EXPECT_EQ(visits.count(), 19U * 21U);
-    ExpectExtents(visits.commands, {0, 180}, {-60, 135}, 1e-9);
+    EXPECT_EQ(visits.count(), 19U * 24U);
+    ExpectExtents(visits.commands, {0, 180}, {-95, 135}, 1e-9);
   }
 }
 

@@ -291,7 +291,9 @@ TEST_F(WrongSkinTest, StatesTheLeastDepthOverAllPoses) {
   const ShoulderRhythm rhythm = BuiltInRhythm();
   double shallowest_mm = std::numeric_limits<double>::infinity();
   for (const double elevation_deg : {30, 60, 75, 90, 120, 150}) {
-    for (const double plane_deg : {0, 45, 90, 120}) {
+    // Some of the planes that are looked at: fifteen even steps over the reach.
+    for (const int step : {7, 9, 11, 14}) {
+      const double plane_deg = -95 + 230.0 * step / 15;
       const LandmarkDepths depths_m = LandmarkDepths_m(
           on_bones,
           rhythm.SolvePose({RadiansFromDegrees(elevation_deg), RadiansFromDegrees(plane_deg)}),

@@ -83,7 +83,7 @@ TEST(BuiltInRhythm, IsSmoothAndExactOverTheWholeRangeUnlessToldOtherwise) {
   const ArmRectangle& domain = rhythm.domain();
   EXPECT_EQ(domain.lowest_elevation_rad, 0);
   EXPECT_EQ(domain.highest_elevation_rad, kPi);
-  EXPECT_EQ(domain.first_plane_rad, RadiansFromDegrees(-60));
+  EXPECT_EQ(domain.first_plane_rad, RadiansFromDegrees(-95));
   EXPECT_EQ(domain.last_plane_rad, RadiansFromDegrees(135));
 }
 

@@ -107,6 +107,8 @@ INSTANTIATE_TEST_SUITE_P(
              [](double e, double) { return 4 * e; }},
         Flaw{"the same below elevation 15", Nothing,
              [](double e, double) { return -7 * std::min(e, 15.0); }},
+        Flaw{"the same behind plane -60", Nothing,
+             [](double e, double p) { return p < -60 ? 7 * std::max(e, 15.0) : 0; }},
         Flaw{"fastest bone per degree of plane", Nothing, [](double, double p) { return 5 * p; }},
         Flaw{"joint out of its range", [](double, double) { return -30; }, Nothing}));
 

@@ -192,13 +192,16 @@ TEST_F(FullPluginTest, TransitionDerivativesAreThoseOfWholeStepsForAllControls) 
   }
 }
 
-TEST_F(PluginTest, CommandsBehindTheBodyEndWhereAnArmDoes) {
+TEST_F(PluginTest, CommandsBehindTheReachAreAnsweredByTheRhythm) {
   const ShoulderRhythm rhythm = BuiltInRhythm();
-  SetCommand({RadiansFromDegrees(90), RadiansFromDegrees(-60)});
+  const ArmCommand command{RadiansFromDegrees(90), RadiansFromDegrees(-60)};
+  const ShoulderSolution answer = rhythm.Solve(command);
+  ASSERT_TRUE(answer.clamped);
+  SetCommand(command);
   mj_forward(model_.get(), data_.get());
-  EXPECT_EQ(data_->sensordata[sensor_layout::kCommanded], RadiansFromDegrees(90));
-  EXPECT_EQ(data_->sensordata[sensor_layout::kCommanded + 1], RadiansFromDegrees(-30));
-  const JointAngles expected = TargetsOf(rhythm, {RadiansFromDegrees(90), RadiansFromDegrees(-30)});
+  EXPECT_EQ(data_->sensordata[sensor_layout::kCommanded], answer.used.elevation_rad);
+  EXPECT_EQ(data_->sensordata[sensor_layout::kCommanded + 1], answer.used.plane_rad);
+  const JointAngles expected = TargetsOf(rhythm, answer.used);
   EXPECT_TRUE(
       std::equal(expected.begin(), expected.end(), data_->sensordata + sensor_layout::kTarget));
   // The distance is that of the command itself: 60 deg from the frontal plane, in the horizontal.

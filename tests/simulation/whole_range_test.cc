@@ -9,7 +9,6 @@
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
 
-#include "kinematics/arm_directions.h"
 #include "rhythm_tables/built_in_tables.h"
 #include "simulation/plugin_fixture.h"
 
@@ -35,9 +34,9 @@ TEST_F(WholeRangeTest, TheArmStandsWhereItIsToldToEverywhere) {
   double worst_deg = 0;
   int poses = 0;
   for (int elevation_deg = 0; elevation_deg <= 180; ++elevation_deg) {
-    for (int plane_deg = -60; plane_deg <= 135; ++plane_deg) {
+    for (int plane_deg = -95; plane_deg <= 135; ++plane_deg) {
       const ArmCommand command{RadiansFromDegrees(elevation_deg), RadiansFromDegrees(plane_deg)};
-      if (command.plane_rad < LowestPlaneAt(command.elevation_rad).plane_rad) {
+      if (command.plane_rad < rhythm.LowestPlaneAt(command.elevation_rad)) {
         continue;
       }
       SetCommand(command);
