@@ -20,6 +20,7 @@ from pathlib import Path
 
 import abduction
 import elbow_path
+import reach
 import rhythm_maps
 import scapulohumeral_rhythm
 import skin_near_ac
@@ -138,6 +139,7 @@ PLOTS: list[tuple[str, Callable[[Girdle, bool], Figure]]] = [
     ("Fig. 13", elbow_path.make),
     ("jumps of velocity", velocity_jumps.make),
     ("scapulohumeral rhythm", scapulohumeral_rhythm.make),
+    ("reach", reach.make),
     ("map of upward rotation", rhythm_maps.make_rotation),
     ("maps of published rhythms", rhythm_maps.make_distances),
 ]

@@ -42,6 +42,7 @@ PLOTTED = [
     "figure_13_elbow_path",
     "velocity_jumps",
     "scapulohumeral_rhythm",
+    "reach",
     "map_of_upward_rotation",
     "maps_of_published_rhythms",
 ]
@@ -215,6 +216,7 @@ def test_a_figure_is_there_as_svg_with_its_text_as_text(figures: Path, name: str
         ("figure_13_elbow_path", ["(mm)", "(mm/deg)", "(1/m)", "(deg)"]),
         ("velocity_jumps", ["(deg/deg)"]),
         ("scapulohumeral_rhythm", ["(deg)", "glenohumeral : scapulothoracic"]),
+        ("reach", ["(deg)"]),
         ("map_of_upward_rotation", ["(deg)"]),
         ("maps_of_published_rhythms", ["(deg)"]),
     ],
@@ -331,6 +333,18 @@ def test_scapulohumeral_ratios_are_those_of_compare(page: Page, run_program: Run
     assert list(shown) == list(expected)
     for where, ratios in expected.items():
         assert [float(text) for text in shown[where]] == pytest.approx(ratios, abs=TWO_DECIMALS)
+
+
+def test_all_functional_positions_are_in_the_table_of_the_reach(page: Page) -> None:
+    lines = (ROOT / "data" / "functional_positions.csv").read_text().splitlines()
+    positions = list(csv.DictReader(line for line in lines if not line.startswith("#")))
+    shown = table_by_row(page, "reach")
+    assert len(shown) == len(positions) == 8
+    for number, position in enumerate(positions, start=1):
+        elevation, plane, origin, distance = shown[f"{number} {position['position']}"]
+        assert (elevation, plane) == (position["elevation_deg"], position["plane_deg"])
+        inside = 15 <= float(elevation) <= 120 and 0 <= float(plane) <= 90
+        assert (origin == "modelled", float(distance) > 0) == (not inside, not inside)
 
 
 def test_upward_rotation_on_the_map_is_that_of_compare(page: Page, run_program: RunProgram) -> None:
