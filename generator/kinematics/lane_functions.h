@@ -39,10 +39,10 @@ inline constexpr auto kSine = AlternatingSeries<8>(1);
 inline constexpr double kQuarterTurnHigh = 1.5707963109016418;
 inline constexpr double kQuarterTurnLow = 1.5893254773528196e-08;
 
-// ln 2 in two parts likewise: the first is ln 2 rounded to 32 binary places.
+// ln 2 in two parts likewise: the first is ln 2 rounded to 32 binary places. The rest is written
+// out, since libc++ has no more than a double of std::numbers::ln2_v<long double>.
 inline constexpr double kLogarithmOfTwoHigh = 2977044472.0 / 4294967296.0;
-inline constexpr double kLogarithmOfTwoLow =
-    static_cast<double>(std::numbers::ln2_v<long double> - 2977044472.0L / 4294967296.0L);
+inline constexpr double kLogarithmOfTwoLow = -4.2009150726810847e-11;
 
 // 1/n!: for |x| <= ln(2)/2 the first term left out of exp(x) is below 1e-17.
 inline constexpr std::size_t kExponentialTerms = 14;

@@ -68,7 +68,7 @@ void Append(std::vector<double>& numbers, const Vector3& vector) {
   numbers.insert(numbers.end(), {vector.x, vector.y, vector.z});
 }
 
-// Angles, the command that was used, origin and distance; with smooth, also rates.
+// Angles, the command that was used, origin and distance; with smooth, also rates. All as doubles.
 void WriteSolutions(const ShoulderRhythm& rhythm, const std::vector<ArmCommand>& commands,
                     std::size_t threads) {
   std::vector<JointAngles> angles_rad(commands.size());
@@ -91,9 +91,13 @@ void WriteSolutions(const ShoulderRhythm& rhythm, const std::vector<ArmCommand>&
       distances_rad[i] = solution.distance_rad;
     }
   }
+  std::vector<double> origin_numbers;
+  for (const Origin origin : origins) {
+    origin_numbers.push_back(static_cast<double>(origin));
+  }
   Write(angles_rad);
   Write(used);
-  Write(origins);
+  Write(origin_numbers);
   Write(distances_rad);
   std::vector<double> rates;
   for (const ArmCommand& command : commands) {

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The Girdle authors
 # SPDX-License-Identifier: Apache-2.0
-"""Clang with its own standard library compiles what solves and reads, and gets the same numbers."""
+"""Clang with its own standard library compiles what solves and reads, and the plugin, and gets the
+same numbers."""
 
 from __future__ import annotations
 
@@ -8,7 +9,10 @@ import os
 import subprocess
 from pathlib import Path
 
+import pytest
+
 ROOT = Path(__file__).resolve().parents[2]
+FINGERPRINT = ROOT / "scripts" / "fingerprint"
 TABLE = ROOT / "data" / "ludewig2009_destepped.csv"
 
 
@@ -18,24 +22,30 @@ def run(*command: str | Path) -> str:
     return result.stdout
 
 
-def poses(build: Path) -> list[list[str]]:
-    program = build / "tests" / "solved_poses"
-    return [line.split() for line in run(program, TABLE).splitlines()]
-
-
-def test_clang_with_its_own_library_finds_the_same_poses() -> None:
+@pytest.fixture(scope="module")
+def clang_build() -> Path:
     cmake = os.environ["GIRDLE_CMAKE"]
     run(cmake, "--preset", "clang")
     run(cmake, "--build", "--preset", "clang")
     build = ROOT / "build" / "clang"
     # It is that library, and not GCC's.
-    assert "libc++.so" in run("ldd", build / "tests" / "solved_poses")
-    found = poses(build)
+    for made in ("tests/pose_bits", "tests/solved_poses", "libgirdle_rhythm.so"):
+        assert "libc++.so" in run("ldd", build / made)
+    return build
+
+
+def poses(build: Path) -> list[list[str]]:
+    program = build / "tests" / "solved_poses"
+    return [line.split() for line in run(program, TABLE).splitlines()]
+
+
+def test_clang_with_its_own_library_finds_the_same_poses(clang_build: Path) -> None:
+    found = poses(clang_build)
     wanted = poses(Path(os.environ["GIRDLE_BUILD_DIR"]))
     assert len(found) == len(wanted) == 3 * 25 * 27
-    # Compilers may differ in the last digits where they order sums of products otherwise.
-    for line, wanted_line in zip(found, wanted, strict=True):
-        assert line[0] == wanted_line[0]
-        assert len(line) == len(wanted_line)
-        for number, wanted_number in zip(line[1:], wanted_line[1:], strict=True):
-            assert abs(float(number) - float(wanted_number)) < 1e-12, (line, wanted_line)
+    assert found == wanted
+
+
+def test_clang_gets_the_same_bits(clang_build: Path) -> None:
+    """Of many poses, and of the models' steps with the plugin."""
+    assert run(FINGERPRINT, clang_build) == run(FINGERPRINT, os.environ["GIRDLE_BUILD_DIR"])
