@@ -18,6 +18,7 @@
 
 // IWYU pragma: begin_exports
 #include "anatomy/anatomy.h"
+#include "anatomy/bone_frames.h"
 #include "anatomy/built_in_anatomy.h"
 #include "anatomy/postures.h"
 #include "kinematics/arm_directions.h"

@@ -122,6 +122,9 @@ struct Anatomy {
   Ellipsoid ribcage;                                 ///< what is drawn as the thorax
   Ellipsoid gliding;                                 ///< what the scapula glides on
   std::array<Ligament, kLigamentCount> ligaments{};  ///< in the order of LigamentName
+  /// How GH was found where it was not measured, a sentence without its subject and its full stop;
+  /// empty otherwise.
+  std::string gh_origin;
   /// Whether the bones are those of data/, or grown alike: only of these it is known how near TS
   /// and AI keep to `gliding`.
   bool has_adult_proportions = true;

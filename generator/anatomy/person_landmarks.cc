@@ -8,13 +8,17 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <optional>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "anatomy/body_size.h"
+#include "anatomy/bone_frames.h"
+#include "anatomy/found_gh.h"
+#include "anatomy/landmark_places.h"
+#include "anatomy/measured_landmarks.h"
+#include "anatomy/posed_bones.h"
 #include "kinematics/isb_frames.h"
-#include "text/csv.h"
-#include "text/input_error.h"
 #include "text/number_text.h"
 
 namespace girdle {
@@ -26,16 +30,6 @@ constexpr double kRounding_rad = 1e-12;
 // A humerus whose own frame is turned half round about its y, and hardly otherwise, has EM and EL
 // in each other's place; so near a given rotation no frame comes by chance (once in a thousand).
 constexpr double kNearHalfTurn_rad = 15 * kRadiansPerDegree;
-
-// A landmark serves two segments where one hangs on the other.
-struct Origin {
-  Landmark landmark;
-  Segment segment;  // whose origin it is
-};
-constexpr Origin kOrigins[] = {{Landmark::kSC, Segment::kClavicle},
-                               {Landmark::kPAC, Segment::kScapula},
-                               {Landmark::kGH, Segment::kHumerus}};
-constexpr Landmark kOptional[] = {Landmark::kACJ, Landmark::kGC};
 
 // A distance between two landmarks of one segment.
 struct Bone {
@@ -67,154 +61,12 @@ constexpr Bone kBones[] = {
 
 std::string_view NameOf(Landmark landmark) { return DefinitionOf(landmark).name; }
 
-std::optional<Landmark> LandmarkFromName(std::string_view name) {
-  for (std::size_t i = 0; i < kLandmarkCount; ++i) {
-    if (kLandmarks[i].name == name) {
-      return static_cast<Landmark>(i);
-    }
-  }
-  // ISB's name.
-  return name == "AC" ? std::optional(Landmark::kPAC) : std::nullopt;
+Landmark LandmarkNamed(std::string_view name) {
+  return static_cast<Landmark>(
+      std::find_if(kLandmarks.begin(), kLandmarks.end(),
+                   [&](const LandmarkDefinition& known) { return known.name == name; }) -
+      kLandmarks.begin());
 }
-
-// The segment that a landmark is the origin of.
-std::optional<Segment> SegmentFrom(Landmark origin) {
-  for (const Origin& known : kOrigins) {
-    if (known.landmark == origin) {
-      return known.segment;
-    }
-  }
-  return std::nullopt;
-}
-
-Segment SegmentOf(Landmark landmark) { return DefinitionOf(landmark).segment; }
-
-// What the file says of one landmark in one segment's frame.
-struct Row {
-  Vector3 position_m{0, 0, 0};
-  std::size_t line_number = 0;  // 0 if there is no row
-};
-
-// The rows of a file, each under its landmark and the segment in whose frame it stands.
-class MeasuredLandmarks {
- public:
-  MeasuredLandmarks(std::istream& in, const std::string& name) : csv_(in, name) {
-    csv_.ExpectOnlyColumns({"landmark", "segment", "x_m", "y_m", "z_m"});
-    const std::size_t landmark_column = csv_.Column("landmark");
-    const std::size_t segment_column = csv_.Column("segment");
-    const std::size_t columns[] = {csv_.Column("x_m"), csv_.Column("y_m"), csv_.Column("z_m")};
-    while (csv_.Next()) {
-      const Landmark landmark = KnownLandmark(csv_.Field(landmark_column));
-      TakeFrame(landmark, csv_.Field(segment_column));
-      Row& row = is_lab_ ? RowIn(SegmentOf(landmark), landmark)
-                         : RowIn(SegmentNamed(csv_.Field(segment_column)), landmark);
-      if (row.line_number != 0) {
-        csv_.Fail("'" + std::string(csv_.Field(landmark_column)) + "' stands in line " +
-                  std::to_string(row.line_number) + " already" +
-                  (landmark == Landmark::kPAC ? ", AC and PAC being the same" : "") +
-                  ". Remove one of the rows");
-      }
-      row = {{csv_.Number(columns[0]), csv_.Number(columns[1]), csv_.Number(columns[2])},
-             csv_.line_number()};
-    }
-    ExpectAll();
-  }
-
-  [[nodiscard]] bool is_lab() const noexcept { return is_lab_; }
-
-  // Returns whether the file gives this landmark.
-  [[nodiscard]] bool Has(Landmark landmark) const {
-    return RowIn(SegmentOf(landmark), landmark).line_number != 0;
-  }
-
-  // Position in the frame of `segment` that the file uses, or in that of the laboratory.
-  [[nodiscard]] Vector3 In(Segment segment, Landmark landmark) const {
-    return RowIn(is_lab_ ? SegmentOf(landmark) : segment, landmark).position_m;
-  }
-
-  // Throws at the row of a landmark, in the frame of `segment` if it stands there.
-  [[noreturn]] void Fail(Segment segment, Landmark landmark, const std::string& message) const {
-    const std::size_t line_number = RowIn(segment, landmark).line_number;
-    throw InputError(
-        csv_.name(),
-        line_number != 0 ? line_number : RowIn(SegmentOf(landmark), landmark).line_number, message);
-  }
-
- private:
-  [[nodiscard]] const Row& RowIn(Segment segment, Landmark landmark) const {
-    return rows_[static_cast<std::size_t>(segment)][static_cast<std::size_t>(landmark)];
-  }
-  [[nodiscard]] Row& RowIn(Segment segment, Landmark landmark) {
-    return rows_[static_cast<std::size_t>(segment)][static_cast<std::size_t>(landmark)];
-  }
-
-  [[nodiscard]] Landmark KnownLandmark(std::string_view name) const {
-    const std::optional<Landmark> landmark = LandmarkFromName(name);
-    if (!landmark) {
-      std::string known;
-      for (const LandmarkDefinition& definition : kLandmarks) {
-        known += (known.empty() ? "" : " ") + std::string(definition.name);
-      }
-      csv_.Fail("'" + std::string(name) + "' is not a landmark. Known are " + known +
-                ", and AC for PAC");
-    }
-    return *landmark;
-  }
-
-  // The segment of this name; only where TakeFrame found it right.
-  static Segment SegmentNamed(std::string_view name) {
-    return static_cast<Segment>(std::find(kSegmentNames.begin(), kSegmentNames.end(), name) -
-                                kSegmentNames.begin());
-  }
-
-  // Checks that a landmark may stand in this frame, and that all stand in the same kind.
-  void TakeFrame(Landmark landmark, std::string_view frame) {
-    const bool is_lab = frame == kLaboratory;
-    if (!has_rows_) {
-      is_lab_ = is_lab;
-      has_rows_ = true;
-    }
-    if (is_lab != is_lab_) {
-      csv_.Fail(std::string(NameOf(landmark)) + " is given in the frame '" + std::string(frame) +
-                "', the rows above " +
-                (is_lab_ ? "in the laboratory's" : "each in that of its segment") +
-                ". Give all landmarks in '" + std::string(kLaboratory) +
-                "', or each in the frame of its segment");
-    }
-    const std::string_view own = Name(SegmentOf(landmark));
-    const std::optional<Segment> child = SegmentFrom(landmark);
-    if (is_lab || frame == own || (child && frame == Name(*child))) {
-      return;
-    }
-    csv_.Fail(std::string(NameOf(landmark)) + " is given in the frame '" + std::string(frame) +
-              "', expected '" + std::string(own) + "'" +
-              (child ? " (or '" + std::string(Name(*child)) + "', whose origin it is)" : "") +
-              ", or '" + std::string(kLaboratory) + "' in every row");
-  }
-
-  void ExpectAll() const {
-    std::string missing;
-    for (std::size_t i = 0; i < kLandmarkCount; ++i) {
-      const auto landmark = static_cast<Landmark>(i);
-      const bool is_optional =
-          std::find(std::begin(kOptional), std::end(kOptional), landmark) != std::end(kOptional);
-      if (!is_optional && !Has(landmark)) {
-        missing +=
-            (missing.empty() ? "" : ", ") + std::string(NameOf(landmark)) +
-            (landmark == Landmark::kPAC ? " (or AC)" : "") +
-            (is_lab_ ? "" : " in the frame '" + std::string(Name(SegmentOf(landmark))) + "'");
-      }
-    }
-    if (!missing.empty()) {
-      csv_.Fail("no row for " + missing + ". Add it; only ACJ and GC may be left out");
-    }
-  }
-
-  CsvReader csv_;
-  bool has_rows_ = false;
-  bool is_lab_ = false;
-  std::array<std::array<Row, kLandmarkCount>, kSegmentCount> rows_{};
-};
 
 std::string LengthText(double length_m) { return SignificantText(length_m, 3) + " m"; }
 
@@ -246,7 +98,7 @@ void CheckLengths(const MeasuredLandmarks& measured, const Anatomy& adult) {
     }
     const double adult_m = AdultLength_m(bone, adult);
     const double length_m =
-        glm::distance(measured.In(bone.segment, bone.from), measured.In(bone.segment, bone.to));
+        glm::distance(measured.In_m(bone.segment, bone.from), measured.In_m(bone.segment, bone.to));
     const double shortest_m = adult_m / bone.shorter;
     const double longest_m = adult_m * bone.longer;
     if (length_m >= shortest_m && length_m <= longest_m) {
@@ -264,15 +116,37 @@ void CheckLengths(const MeasuredLandmarks& measured, const Anatomy& adult) {
   }
 }
 
-// The segments' frames in the frames that the file uses.
-struct MeasuredFrames {
-  std::array<Quaternion, kSegmentCount> q_AB;
-  std::array<Vector3, kSegmentCount> p_AB_m;
-};
+// Positions of landmarks in the frame of one segment that the file uses.
+LandmarkPositions PositionsIn(const MeasuredLandmarks& measured, Segment segment) {
+  LandmarkPositions p_A_m{};
+  for (std::size_t i = 0; i < kLandmarkCount; ++i) {
+    p_A_m[i] = measured.In_m(segment, static_cast<Landmark>(i));
+  }
+  return p_A_m;
+}
 
-MeasuredFrames FramesOf(const MeasuredLandmarks& measured) {
+// The segments' frames in the frames that the file uses. That of the clavicle is the file's own
+// where no thorax stands in the same frame: only its length is used, which no frame changes.
+BoneFrames FramesOf(const MeasuredLandmarks& measured) {
+  if (measured.is_lab()) {
+    return BoneFramesOf(PositionsIn(measured, Segment::kThorax));
+  }
+  BoneFrames frames;
+  for (std::size_t i = 0; i < kSegmentCount; ++i) {
+    const auto segment = static_cast<Segment>(i);
+    const LandmarkPositions p_A_m = PositionsIn(measured, segment);
+    frames.q_AB[i] =
+        segment == Segment::kClavicle ? Quaternion(1, 0, 0, 0) : BoneRotation(segment, p_A_m);
+    frames.p_AB_m[i] = BoneFramesOf(p_A_m).p_AB_m[i];
+  }
+  return frames;
+}
+
+// Refuses landmarks that are not those of a right shoulder. What stands in the file's frames beside
+// them is to be mirrored with them.
+void CheckShape(const MeasuredLandmarks& measured, const std::string& mesh_file) {
   const auto at = [&](Segment segment, Landmark landmark) {
-    return measured.In(segment, landmark);
+    return measured.In_m(segment, landmark);
   };
   const ThoraxPoints thorax = {
       at(Segment::kThorax, Landmark::kIJ), at(Segment::kThorax, Landmark::kPX),
@@ -286,20 +160,57 @@ MeasuredFrames FramesOf(const MeasuredLandmarks& measured) {
                                  at(Segment::kHumerus, Landmark::kEM),
                                  at(Segment::kHumerus, Landmark::kEL)};
   if (const auto flaw = FlawOfRightShoulder(thorax, scapula, humerus)) {
-    const Landmark landmark = *LandmarkFromName(flaw->landmark);
-    measured.Fail(SegmentOf(landmark), landmark, flaw->message);
+    const Landmark landmark = LandmarkNamed(flaw->landmark);
+    measured.Fail(
+        SegmentOf(landmark), landmark,
+        flaw->message + (flaw->is_left_shoulder && !mesh_file.empty()
+                             ? ", and mirror the mesh with them: negate the third "
+                               "coordinate of every vertex of " +
+                                   mesh_file + " and turn the order of the corners of every face"
+                             : ""));
   }
-  MeasuredFrames frames;
-  frames.q_AB = {ThoraxFrame(thorax.ij_m, thorax.px_m, thorax.c7_m, thorax.t8_m),
-                 // Of the clavicle only its length is used, which no frame changes.
-                 Quaternion(1, 0, 0, 0), ScapulaFrame(scapula.pac_m, scapula.ts_m, scapula.ai_m),
-                 HumerusFrame(humerus.gh_m, humerus.em_m, humerus.el_m)};
-  frames.p_AB_m = {thorax.ij_m, at(Segment::kClavicle, Landmark::kSC), scapula.pac_m, humerus.gh_m};
-  return frames;
+}
+
+// Refuses two landmarks that bear each other's names.
+void CheckNames(const MeasuredLandmarks& measured, const Anatomy& adult) {
+  const std::optional<ExchangedLandmarks> exchange =
+      ExchangeIn(measured.Places(), measured.is_lab(), adult);
+  if (!exchange) {
+    return;
+  }
+  const std::string first = measured.NameIn(exchange->first);
+  const std::string second = measured.NameIn(exchange->second);
+  const bool is_first = exchange->misplaced == exchange->first;
+  const std::string misplaced = is_first ? first : second;
+  const Landmark blamed = measured.LineOf(exchange->first) < measured.LineOf(exchange->second)
+                              ? exchange->first
+                              : exchange->second;
+  measured.Fail(SegmentOf(blamed), blamed,
+                measured.NameIn(exchange->seen_from) + " to " + misplaced + " is " +
+                    MillimeterText(exchange->distance_m) + " and to " +
+                    (is_first ? second : first) + " " + MillimeterText(exchange->other_m) +
+                    ", where bones of this size have " + misplaced + " at " +
+                    MillimeterText(exchange->expected_m) + ": " + first + " and " + second +
+                    " have each other's place. Swap their names");
+}
+
+// Refuses landmarks of both sides of the body.
+void CheckSides(const MeasuredLandmarks& measured, const Anatomy& adult) {
+  if (!measured.is_lab()) {
+    return;
+  }
+  if (const std::optional<StrayLandmark> stray = StrayIn(measured.Places(), adult)) {
+    measured.Fail(SegmentOf(stray->landmark), stray->landmark,
+                  measured.NameIn(stray->landmark) + " lies " + MillimeterText(stray->beyond_m) +
+                      " to the " + (stray->is_left ? "left" : "right") +
+                      " of the plane through IJ, C7 and the middle of PX and T8, " +
+                      measured.NameIn(stray->other) +
+                      " on its other side: these are landmarks of two sides. Give all of one side");
+  }
 }
 
 // Refuses a humerus whose epicondyles seem to have each other's place.
-void CheckEpicondyles(const MeasuredLandmarks& measured, const MeasuredFrames& frames) {
+void CheckEpicondyles(const MeasuredLandmarks& measured, const BoneFrames& frames) {
   const auto q_AB = [&](Segment segment) { return frames.q_AB[static_cast<std::size_t>(segment)]; };
   if (measured.is_lab()) {
     if (IsHumerusTurnedAround(glm::conjugate(q_AB(Segment::kThorax)) * q_AB(Segment::kHumerus))) {
@@ -315,7 +226,7 @@ void CheckEpicondyles(const MeasuredLandmarks& measured, const MeasuredFrames& f
 }
 
 // Landmarks of the file, each in the ISB frame of its segment; the others stay.
-void ExpressInSegments(const MeasuredLandmarks& measured, const MeasuredFrames& frames,
+void ExpressInSegments(const MeasuredLandmarks& measured, const BoneFrames& frames,
                        Anatomy& anatomy) {
   for (std::size_t i = 0; i < kLandmarkCount; ++i) {
     const auto landmark = static_cast<Landmark>(i);
@@ -325,7 +236,7 @@ void ExpressInSegments(const MeasuredLandmarks& measured, const MeasuredFrames& 
     const Segment segment = SegmentOf(landmark);
     const Quaternion& q_AB = frames.q_AB[static_cast<std::size_t>(segment)];
     const Vector3 from_origin_m =
-        measured.In(segment, landmark) - frames.p_AB_m[static_cast<std::size_t>(segment)];
+        measured.In_m(segment, landmark) - frames.p_AB_m[static_cast<std::size_t>(segment)];
     anatomy.landmarks_m[i] = AngleBetween(q_AB, Quaternion(1, 0, 0, 0)) < kRounding_rad
                                  ? from_origin_m
                                  : glm::conjugate(q_AB) * from_origin_m;
@@ -335,10 +246,36 @@ void ExpressInSegments(const MeasuredLandmarks& measured, const MeasuredFrames& 
   pac_m = {0, 0, glm::length(pac_m)};
 }
 
-Anatomy AnatomyOf(const MeasuredLandmarks& measured, const MeasuredFrames& frames,
-                  const Anatomy& adult) {
+// A file whose landmarks are right, with what follows from them.
+class CheckedLandmarks {
+ public:
+  CheckedLandmarks(std::istream& in, const std::string& name, const Anatomy& adult,
+                   const std::string& mesh_file)
+      : measured_(in, name) {
+    CheckNames(measured_, adult);
+    CheckSides(measured_, adult);
+    gh_origin_ = FindGh(measured_, adult);
+    CheckLengths(measured_, adult);
+    CheckShape(measured_, mesh_file);
+    frames_ = FramesOf(measured_);
+    CheckEpicondyles(measured_, frames_);
+  }
+
+  [[nodiscard]] const MeasuredLandmarks& measured() const noexcept { return measured_; }
+  [[nodiscard]] const BoneFrames& frames() const noexcept { return frames_; }
+  [[nodiscard]] const std::string& gh_origin() const noexcept { return gh_origin_; }
+
+ private:
+  MeasuredLandmarks measured_;
+  BoneFrames frames_;
+  std::string gh_origin_;
+};
+
+Anatomy AnatomyOf(const CheckedLandmarks& checked, const Anatomy& adult) {
+  const MeasuredLandmarks& measured = checked.measured();
   Anatomy anatomy = adult;
-  ExpressInSegments(measured, frames, anatomy);
+  anatomy.gh_origin = checked.gh_origin();
+  ExpressInSegments(measured, checked.frames(), anatomy);
   const SegmentScales scales = ScalesOf(anatomy, adult);
   const double scapula_scale = scales[static_cast<std::size_t>(Segment::kScapula)];
   const auto set = [&](Landmark landmark, const Vector3& position_m) {
@@ -357,41 +294,27 @@ Anatomy AnatomyOf(const MeasuredLandmarks& measured, const MeasuredFrames& frame
   return anatomy;
 }
 
-// The frames of a file whose landmarks are right.
-MeasuredFrames CheckedFrames(const MeasuredLandmarks& measured, const Anatomy& adult) {
-  CheckLengths(measured, adult);
-  const MeasuredFrames frames = FramesOf(measured);
-  CheckEpicondyles(measured, frames);
-  return frames;
-}
-
 }  // namespace
 
 Anatomy ReadPersonAnatomy(std::istream& in, const std::string& name, const Anatomy& adult) {
-  const MeasuredLandmarks measured(in, name);
-  return AnatomyOf(measured, CheckedFrames(measured, adult), adult);
+  return AnatomyOf(CheckedLandmarks(in, name, adult, ""), adult);
 }
 
-DigitizedPerson ReadDigitizedPerson(std::istream& in, const std::string& name,
-                                    const Anatomy& adult) {
-  const MeasuredLandmarks measured(in, name);
-  if (!measured.is_lab()) {
-    measured.Fail(Segment::kThorax, Landmark::kIJ,
-                  "landmarks in the frames of their segments do not say how the person stood. Give "
-                  "all in one frame, with '" +
-                      std::string(kLaboratory) + "' as the segment of every row");
+DigitizedPerson ReadDigitizedPerson(std::istream& in, const std::string& name, const Anatomy& adult,
+                                    const std::string& mesh_file) {
+  const CheckedLandmarks checked(in, name, adult, mesh_file);
+  if (!checked.measured().is_lab()) {
+    checked.measured().Fail(
+        Segment::kThorax, Landmark::kIJ,
+        "landmarks in the frames of their segments do not say how the person stood. Give "
+        "all in one frame, with '" +
+            std::string(kLaboratory) + "' as the segment of every row");
   }
-  const MeasuredFrames frames = CheckedFrames(measured, adult);
-  const auto q_AB = [&](Segment segment) { return frames.q_AB[static_cast<std::size_t>(segment)]; };
   DigitizedPerson person;
-  person.anatomy = AnatomyOf(measured, frames, adult);
-  person.q_AT = q_AB(Segment::kThorax);
-  person.p_AT_m = frames.p_AB_m[static_cast<std::size_t>(Segment::kThorax)];
-  const Quaternion q_AC = ClavicleFrame(measured.In(Segment::kClavicle, Landmark::kSC),
-                                        measured.In(Segment::kClavicle, Landmark::kPAC),
-                                        person.q_AT * Vector3{0, 1, 0});
-  person.pose = {glm::conjugate(person.q_AT) * q_AC, glm::conjugate(q_AC) * q_AB(Segment::kScapula),
-                 glm::conjugate(q_AB(Segment::kScapula)) * q_AB(Segment::kHumerus)};
+  person.anatomy = AnatomyOf(checked, adult);
+  person.q_AT = checked.frames().q_AB[static_cast<std::size_t>(Segment::kThorax)];
+  person.p_AT_m = checked.frames().p_AB_m[static_cast<std::size_t>(Segment::kThorax)];
+  person.pose = PoseOfBones(Side::kRight, checked.frames().q_AB);
   return person;
 }
 

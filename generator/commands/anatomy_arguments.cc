@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <iostream>
 #include <stdexcept>
 
 #include "anatomy/built_in_anatomy.h"
@@ -51,6 +52,7 @@ Anatomy AnatomyOf(const std::string& file, const BodySize& size) {
   const Anatomy adult = BuiltInAnatomy();
   std::ifstream in = OpenTextFile(file);
   Anatomy anatomy = ReadPersonAnatomy(in, file, adult);
+  SayHowGhWasFound(file, anatomy);
   if (size.stature_m) {
     anatomy.jugular_notch_height_m = JugularNotchHeight_m(*size.stature_m);
   }
@@ -104,6 +106,12 @@ Anatomy ChosenAnatomy(const AnatomyArguments& arguments) {
                                            : AnatomyOf(arguments.file, size);
   ChooseThorax(arguments, anatomy);
   return anatomy;
+}
+
+void SayHowGhWasFound(const std::string& file, const Anatomy& anatomy) {
+  if (!anatomy.gh_origin.empty()) {
+    std::cerr << file << ": GH is " << anatomy.gh_origin << ".\n";
+  }
 }
 
 void FitTissues(Anatomy& anatomy) {

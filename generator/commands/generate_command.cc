@@ -127,11 +127,14 @@ FileNames NamesFor(const ShoulderModelOptions& options) {
 // The landmarks of a body that brought its own bones, for whoever wants to verify the model.
 // Without the name of the skin's file: the same body gives the same bytes wherever it lies.
 std::string LandmarkFile(const Anatomy& anatomy) {
-  return LandmarksToCsv(
-      anatomy,
-      {"# Landmarks of the shoulder fitted to a skin, as girdle generate wrote them beside "
-       "its model.",
-       "# Units: meters. Each landmark is given in the ISB frame of its own segment."});
+  std::vector<std::string> comments = {
+      "# Landmarks of the shoulder fitted to a skin, as girdle generate wrote them beside "
+      "its model.",
+      "# Units: meters. Each landmark is given in the ISB frame of its own segment."};
+  if (!anatomy.gh_origin.empty()) {
+    comments.push_back("# Derived: GH is " + anatomy.gh_origin + ".");
+  }
+  return LandmarksToCsv(anatomy, comments);
 }
 
 void Generate(const GenerateArguments& arguments) {
@@ -170,6 +173,7 @@ void Generate(const GenerateArguments& arguments) {
     json["scene"] = scene;
     if (skin) json["skin"] = skin_file;
     if (has_own_bones) json["landmarks"] = landmarks;
+    if (!anatomy.gh_origin.empty()) json["gh"] = anatomy.gh_origin;
     json["checked"] = checked;
     Print(JsonText(json));
   } else {

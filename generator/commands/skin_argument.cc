@@ -105,6 +105,7 @@ ChosenBody MadeBody(Source source, const SkinArguments& arguments, const Anatomy
     chosen.artist = std::move(fitted.artist);
   } else {
     chosen.body = ReadPersonBody(arguments.skin, arguments.landmarks, BuiltInAnatomy(), sides);
+    SayHowGhWasFound(arguments.landmarks, chosen.body.anatomy);
   }
   FitTissues(chosen.body.anatomy);
   return chosen;

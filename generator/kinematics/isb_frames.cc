@@ -144,7 +144,8 @@ std::optional<LandmarkFlaw> FlawOfRightShoulder(const ThoraxPoints& thorax,
   if (is_left_thorax && is_left_scapula) {
     return LandmarkFlaw{"SC",
                         "these are landmarks of a left shoulder. Make it a right one: negate z_m "
-                        "in every row"};
+                        "in every row",
+                        true};
   }
   if (is_left_thorax) {
     return LandmarkFlaw{"SC",

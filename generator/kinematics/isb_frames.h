@@ -70,6 +70,8 @@ struct HumerusPoints {
 struct LandmarkFlaw {
   std::string_view landmark;  ///< to blame, as the ISB abbreviates it
   std::string message;        ///< for the person who measured: what is wrong, and the fix
+  /// Whether nothing is wrong but that it is a left shoulder: mirrored, it would do.
+  bool is_left_shoulder = false;
 };
 
 /// Three landmarks that span a plane lie nearly on a line if one is less than this share of their

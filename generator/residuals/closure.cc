@@ -32,7 +32,7 @@ constexpr double kPlaneless_rad = 1e-6;
 
 ArmAngles ArmFromLandmarks(const ShoulderState& state) {
   return ArmAnglesFromRotation(glm::conjugate(state.rotation(Segment::kThorax)) *
-                               HumerusFromLandmarks(state));
+                               FromLandmarks(state, Segment::kHumerus));
 }
 
 class ClosureGroup : public ResidualGroup {

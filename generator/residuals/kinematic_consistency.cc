@@ -22,6 +22,7 @@
 #include "anatomy/built_in_anatomy.h"
 #include "anatomy/posed_bones.h"
 #include "anatomy/postures.h"
+#include "kinematics/isb_frames.h"
 #include "kinematics/lengths.h"
 #include "names/model_names.h"
 #include "residuals/extreme.h"
@@ -93,11 +94,10 @@ class KinematicConsistencyGroup : public ResidualGroup {
     clavicle_deg_.Add(DegreesFromRadians(std::atan2(glm::length(glm::cross(axis_W, wanted_axis_W)),
                                                     glm::dot(axis_W, wanted_axis_W))),
                       pose.name, pose.command);
-    const Quaternion q_WS = ScapulaFrame(state.child_site_m(1), state.landmark_m(Landmark::kTS),
-                                         state.landmark_m(Landmark::kAI));
+    const Quaternion q_WS = FromLandmarks(state, Segment::kScapula);
     scapula_deg_.Add(DegreesFromRadians(AngleBetween(q_WS, q_WT * pose.wanted.q_TS())), pose.name,
                      pose.command);
-    const Quaternion q_WH = HumerusFromLandmarks(state);
+    const Quaternion q_WH = FromLandmarks(state, Segment::kHumerus);
     humerus_deg_.Add(DegreesFromRadians(AngleBetween(q_WH, q_WT * pose.wanted.q_TH())), pose.name,
                      pose.command);
   }

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
 
-#include "kinematics/isb_frames.h"
+#include "anatomy/bone_frames.h"
 #include "simulation/shoulder_simulation.h"
 
 namespace girdle {
@@ -28,10 +28,16 @@ inline constexpr double kExact_mm = 1e-6;
          (point_W_m - state.landmark_m(Landmark::kIJ));
 }
 
-/// q_WH rebuilt from landmarks: GH and the epicondyles.
-[[nodiscard]] inline Quaternion HumerusFromLandmarks(const ShoulderState& state) {
-  return HumerusFrame(state.child_site_m(2), state.landmark_m(Landmark::kEM),
-                      state.landmark_m(Landmark::kEL));
+/// q_WB of scapula or humerus rebuilt from landmarks of that bone alone (BoneRotation).
+[[nodiscard]] inline Quaternion FromLandmarks(const ShoulderState& state, Segment segment) {
+  LandmarkPositions p_W_m{};
+  for (const Landmark landmark : {Landmark::kTS, Landmark::kAI, Landmark::kEM, Landmark::kEL}) {
+    p_W_m[static_cast<std::size_t>(landmark)] = state.landmark_m(landmark);
+  }
+  // In a joint, the point on the child bone.
+  p_W_m[static_cast<std::size_t>(Landmark::kPAC)] = state.child_site_m(1);
+  p_W_m[static_cast<std::size_t>(Landmark::kGH)] = state.child_site_m(2);
+  return BoneRotation(segment, p_W_m);
 }
 
 }  // namespace girdle

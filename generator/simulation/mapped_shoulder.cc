@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include "anatomy/bone_frames.h"
 #include "kinematics/isb_frames.h"
 #include "kinematics/lengths.h"
 #include "simulation/named_elements.h"
@@ -90,13 +91,11 @@ Quaternion MappedShoulder::Frame(const mjData& data, Segment segment) const {
     const Quaternion q_WF = Quaternion(q[0], q[1], q[2], q[3]) * bone->q_BF;
     return OnSide(mapping_.side, q_WF);
   }
-  if (segment == Segment::kThorax) {
-    return ThoraxFrame(Position(data, Landmark::kIJ), Position(data, Landmark::kPX),
-                       Position(data, Landmark::kC7), Position(data, Landmark::kT8));
+  LandmarkPositions p_W_m{};
+  for (const Landmark landmark : FrameLandmarks(segment)) {
+    p_W_m[static_cast<std::size_t>(landmark)] = Position(data, landmark);
   }
-  const std::array<Vector3, 3> points_m = Triangle(data, segment);
-  return segment == Segment::kHumerus ? HumerusFrame(points_m[0], points_m[1], points_m[2])
-                                      : ScapulaFrame(points_m[0], points_m[1], points_m[2]);
+  return BoneRotation(segment, p_W_m);
 }
 
 MappedPose MappedShoulder::Observe(const mjData& data) const {

@@ -60,7 +60,7 @@ void CheckLandmarks(const PosedBody& body, const std::vector<Side>& sides,
 PosedBody ReadPersonBody(const std::string& mesh_file, const std::string& landmark_file,
                          const Anatomy& adult, const std::vector<Side>& sides) {
   std::ifstream in = OpenTextFile(landmark_file);
-  const DigitizedPerson person = ReadDigitizedPerson(in, landmark_file, adult);
+  const DigitizedPerson person = ReadDigitizedPerson(in, landmark_file, adult, mesh_file);
   PosedBody body{ReadMeshFile(mesh_file), person.anatomy, person.pose};
   if (const std::optional<std::string> flaw = FlawOfSkin(body.surface)) {
     throw InputError(mesh_file + ": " + *flaw);

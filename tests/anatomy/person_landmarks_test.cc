@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -14,6 +15,8 @@
 #include <glm/gtc/quaternion.hpp>
 #include <iterator>
 #include <map>
+#include <ostream>
+#include <random>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -22,6 +25,7 @@
 #include "anatomy/body_size.h"
 #include "anatomy/built_in_anatomy.h"
 #include "anatomy/built_in_files.h"
+#include "anatomy/humeral_head.h"
 #include "kinematics/random_rotations.h"
 #include "rhythm_tables/built_in_tables.h"
 #include "text/csv_text.h"
@@ -301,29 +305,31 @@ INSTANTIATE_TEST_SUITE_P(
                 "t.csv:1: column 'x_mm' is not known. Remove it or correct its name"},
         CsvFlaw{"unknown landmark", [](CsvText& text) { text.Cell(8, "landmark") = "AX"; },
                 "t.csv:10: 'AX' is not a landmark. Known are IJ PX C7 T8 SC PAC TS AI AA PC ACJ GC "
-                "GH EM EL, and AC for PAC"},
+                "GH EM EL, AC for PAC, and HH1 HH2 ... for points of the humeral head"},
         CsvFlaw{"row twice", [](CsvText& text) { text.rows.push_back(text.rows.at(6)); },
-                "t.csv:17: 'TS' stands in line 8 already. Remove one of the rows"},
+                "t.csv:17: 'TS' stands in line 8 already. Remove one of the rows; a file holds "
+                "landmarks "
+                "of one side"},
         CsvFlaw{"AC and PAC",
                 [](CsvText& text) {
                   text.rows.push_back({"AC", "clavicle", "0", "0", "0.15"});
                 },
                 "t.csv:17: 'AC' stands in line 7 already, AC and PAC being the same. Remove one of "
-                "the rows"},
-        CsvFlaw{"missing landmark", [](CsvText& text) { text.RemoveRow(12); },
-                "t.csv:15: no row for GH in the frame 'scapula'. Add it; only ACJ and GC may be "
-                "left out"},
+                "the rows; a file holds landmarks of one side"},
+        CsvFlaw{"missing landmark", [](CsvText& text) { text.RemoveRow(8); },
+                "t.csv:15: no row for AA in the frame 'scapula'. Add it; only ACJ, GC and GH may "
+                "be left out"},
         CsvFlaw{"two missing landmarks",
                 [](CsvText& text) {
                   text.RemoveRow(5);
                   text.RemoveRow(0);
                 },
                 "t.csv:14: no row for IJ in the frame 'thorax', PAC (or AC) in the frame "
-                "'clavicle'. Add it; only ACJ and GC may be left out"},
+                "'clavicle'. Add it; only ACJ, GC and GH may be left out"},
         CsvFlaw{"the origin but not the landmark",
-                [](CsvText& text) { text.Cell(12, "segment") = "humerus"; },
-                "t.csv:16: no row for GH in the frame 'scapula'. Add it; only ACJ and GC may be "
-                "left out"},
+                [](CsvText& text) { text.Cell(4, "segment") = "clavicle"; },
+                "t.csv:16: no row for SC in the frame 'thorax'. Add it; only ACJ, GC and GH may "
+                "be left out"},
         CsvFlaw{"another segment's frame",
                 [](CsvText& text) { text.Cell(6, "segment") = "humerus"; },
                 "t.csv:8: TS is given in the frame 'humerus', expected 'scapula', or 'lab' in "
@@ -366,13 +372,14 @@ INSTANTIATE_TEST_SUITE_P(
                 "t.csv:9: PAC, TS and AI lie nearly on a line, 3 mm off it, and tell no frame. "
                 "Measure them again"},
         CsvFlaw{"TS and AI", [](CsvText& text) { SwapNames(text, 6, 7); },
-                "t.csv:8: AI lies nearer to PAC than TS does: TS and AI have each other's place. "
-                "Swap their names"},
+                "t.csv:8: PAC to AI is 129 mm and to TS 186 mm, where bones of this size have AI "
+                "at 186 mm: TS and AI have each other's place. Swap their names"},
         CsvFlaw{"PX and T8", [](CsvText& text) { SwapNames(text, 1, 3); },
-                "t.csv:3: PX lies behind T8: PX and T8 have each other's place. Swap their names"},
+                "t.csv:3: IJ to PX is 232 mm and to T8 137 mm, where bones of this size have PX at "
+                "137 mm: PX and T8 have each other's place. Swap their names"},
         CsvFlaw{"IJ and C7", [](CsvText& text) { SwapNames(text, 0, 2); },
-                "t.csv:2: SC lies nearer to C7 than to IJ: IJ and C7 have each other's place. Swap "
-                "their names"},
+                "t.csv:2: PX to IJ is 244 mm and to C7 137 mm, where bones of this size have IJ at "
+                "137 mm: IJ and C7 have each other's place. Swap their names"},
         CsvFlaw{"EM and EL", [](CsvText& text) { SwapNames(text, 13, 14); },
                 "t.csv:15: EL lies to the left of EM: they have each other's place. Swap their "
                 "names, or if they are right, negate x_m and z_m in the humerus's rows"},
@@ -406,9 +413,11 @@ INSTANTIATE_TEST_SUITE_P(
     OneFlawEach, FlawedExample,
     testing::Values(
         CsvFlaw{"missing landmark", [](CsvText& text) { text.RemoveRow(5); },
-                "t.csv:13: no row for PAC (or AC). Add it; only ACJ and GC may be left out"},
+                "t.csv:13: no row for PAC (or AC). Add it; only ACJ, GC and GH may be left out"},
         CsvFlaw{"row twice", [](CsvText& text) { text.rows.push_back(text.rows.at(4)); },
-                "t.csv:15: 'SC' stands in line 6 already. Remove one of the rows"},
+                "t.csv:15: 'SC' stands in line 6 already. Remove one of the rows; a file holds "
+                "landmarks "
+                "of one side"},
         CsvFlaw{"a row in a segment's frame",
                 [](CsvText& text) { text.Cell(7, "segment") = "scapula"; },
                 "t.csv:9: TS is given in the frame 'scapula', the rows above in the laboratory's. "
@@ -420,14 +429,297 @@ INSTANTIATE_TEST_SUITE_P(
                 "t.csv:13: the humerus is turned about its long axis as no shoulder turns it: EM "
                 "and EL have each other's place. Swap their names"},
         CsvFlaw{"AA and PC", [](CsvText& text) { SwapNames(text, 6, 9); },
-                "t.csv:8: PC lies behind AA, as in a left scapula. Swap their names if they have "
-                "each other's place, or negate z_m in the scapula's rows if it is mirrored"},
+                "t.csv:8: TS to PC is 120 mm and to AA 139 mm, where bones of this size have PC at "
+                "139 mm: AA and PC have each other's place. Swap their names"},
         CsvFlaw{"left shoulder",
                 [](CsvText& text) {
                   for (std::size_t row = 0; row < text.rows.size(); ++row) NegateZ(text, row);
                 },
                 "t.csv:6: these are landmarks of a left shoulder. Make it a right one: negate z_m "
                 "in every row"}));
+
+// --- Exchanged names ------------------------------------------------------------------------
+
+// All landmarks of `anatomy` but those that the ISB does not know, in a laboratory.
+CsvText IsbInALab(const Anatomy& anatomy, const ShoulderPose& pose, const Placement& lab) {
+  CsvText text(DigitisedInALab(anatomy, pose, lab));
+  std::erase_if(text.rows, [](const auto& row) { return row.at(0) == "ACJ" || row.at(0) == "GC"; });
+  return text;
+}
+
+void MirrorAll(CsvText& text) {
+  for (std::size_t row = 0; row < text.rows.size(); ++row) NegateZ(text, row);
+}
+
+// Of each exchange of two names whose message does not name both, the names and the message.
+std::string NotNamed(const CsvText& text) {
+  std::string wrong;
+  for (std::size_t a = 0; a < text.rows.size(); ++a) {
+    for (std::size_t b = a + 1; b < text.rows.size(); ++b) {
+      CsvText exchanged = text;
+      SwapNames(exchanged, a, b);
+      const std::string message = MessageOn(exchanged.Text());
+      const std::string& first = text.rows.at(a).at(0);
+      const std::string& second = text.rows.at(b).at(0);
+      const auto says = [&](const std::string& names) {
+        return message.find(names + " have each other's place") != std::string::npos;
+      };
+      // The humerus's shape does not tell its epicondyles apart; its posture does.
+      const bool is_epicondyles = first == "EM" && second == "EL";
+      if (is_epicondyles ? message == "(nothing was thrown)"
+                         : !says(first + " and " + second) && !says(second + " and " + first)) {
+        wrong.append(first).append(" ").append(second).append(": ").append(message).append("\n");
+      }
+    }
+  }
+  return wrong;
+}
+
+TEST(ExchangedNames, OfTheExampleAreAllToldOnBothSides) {
+  CsvText text(ExampleText());
+  EXPECT_EQ(text.rows.size(), 13);
+  EXPECT_EQ(NotNamed(text), "");
+  MirrorAll(text);
+  EXPECT_EQ(NotNamed(text), "");
+}
+
+// Bones of other proportions, in any posture and laboratory.
+TEST(ExchangedNames, AreToldInPeopleOfAnySizeAndPosture) {
+  const ShoulderRhythm rhythm = BuiltInRhythm();
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> share(0, 1);
+  for (const double scale : {0.8, 0.9, 1.0, 1.1, 1.2}) {
+    const ShoulderPose pose = rhythm.SolvePose(
+        {RadiansFromDegrees(10 + 80 * share(random)), RadiansFromDegrees(80 * share(random))});
+    const Anatomy person =
+        ScaledAnatomy(Adult(), {.clavicle_length_m = scale * (0.13 + 0.05 * share(random)),
+                                .scapula_length_m = scale * (0.115 + 0.03 * share(random)),
+                                .humerus_length_m = scale * (0.26 + 0.06 * share(random)),
+                                .stature_m = scale * kAdultStature_m});
+    const Placement lab = {Exp(Vector3(share(random), -2 * share(random), 3 * share(random))),
+                           {share(random), 3, -share(random)}};
+    CsvText text = IsbInALab(person, pose, lab);
+    ASSERT_EQ(MessageOn(text.Text()), "(nothing was thrown)");
+    EXPECT_EQ(NotNamed(text), "") << scale;
+    MirrorAll(text);
+    EXPECT_EQ(NotNamed(text), "") << scale;
+  }
+}
+
+TEST(ExchangedNames, AreToldWithoutGh) {
+  CsvText text(ExampleText());
+  text.RemoveRow(10);
+  EXPECT_EQ(NotNamed(text), "");
+}
+
+// In the segments' own frames most exchanges take a landmark to a frame that is not its own.
+TEST(ExchangedNames, InSegmentsFramesAreAllRefused) {
+  const CsvText text(built_in_files::kLandmarks);
+  for (std::size_t a = 0; a < text.rows.size(); ++a) {
+    for (std::size_t b = a + 1; b < text.rows.size(); ++b) {
+      CsvText exchanged = text;
+      SwapNames(exchanged, a, b);
+      const std::string names = text.rows.at(a).at(0) + " " + text.rows.at(b).at(0);
+      EXPECT_NE(MessageOn(exchanged.Text()), "(nothing was thrown)") << names;
+    }
+  }
+}
+
+void AddNoise(CsvText& text, double deviation_m, std::mt19937& random) {
+  std::normal_distribution<double> noise_m(0, deviation_m);
+  for (std::size_t row = 0; row < text.rows.size(); ++row) {
+    for (const char* const column : {"x_m", "y_m", "z_m"}) {
+      std::string& cell = text.Cell(row, column);
+      cell = NumberText(std::stod(cell) + noise_m(random));
+    }
+  }
+}
+
+TEST(ExchangedNames, AreNotSeenInThreeMillimetersOfNoise) {
+  constexpr double kNoise_m = 0.003;
+  constexpr unsigned kSeeds = 1000;
+  for (unsigned seed = 0; seed < kSeeds; ++seed) {
+    std::mt19937 random(seed);
+    CsvText text(ExampleText());
+    AddNoise(text, kNoise_m, random);
+    EXPECT_EQ(MessageOn(text.Text()), "(nothing was thrown)") << "seed " << seed;
+  }
+}
+
+TEST(ExchangedNames, AreToldThroughThreeMillimetersOfNoise) {
+  constexpr double kNoise_m = 0.003;
+  for (unsigned seed = 0; seed < 10; ++seed) {
+    std::mt19937 random(seed);
+    CsvText text(ExampleText());
+    AddNoise(text, kNoise_m, random);
+    EXPECT_EQ(NotNamed(text), "") << "seed " << seed;
+  }
+}
+
+// --- Two sides ------------------------------------------------------------------------------
+
+// Takes a row to the other side of the body.
+void MirrorInBody(CsvText& text, std::size_t row) {
+  std::istringstream in(ExampleText());
+  const DigitizedPerson person = ReadDigitizedPerson(in, "t.csv", Adult());
+  const Vector3 normal = person.q_AT * Vector3(0, 0, 1);
+  Vector3 p_m{std::stod(text.Cell(row, "x_m")), std::stod(text.Cell(row, "y_m")),
+              std::stod(text.Cell(row, "z_m"))};
+  p_m -= 2 * glm::dot(p_m - person.p_AT_m, normal) * normal;
+  text.Cell(row, "x_m") = NumberText(p_m.x);
+  text.Cell(row, "y_m") = NumberText(p_m.y);
+  text.Cell(row, "z_m") = NumberText(p_m.z);
+}
+
+struct TwoSides {
+  const char* name;
+  std::vector<std::size_t> rows;
+  const char* told;  // the landmark of the other side
+};
+
+void PrintTo(const TwoSides& sides, std::ostream* out) { *out << sides.name; }
+
+class LandmarksOfTwoSides : public testing::TestWithParam<TwoSides> {};
+
+TEST_P(LandmarksOfTwoSides, AreToldWithTheLandmark) {
+  CsvText text(ExampleText());
+  for (const std::size_t row : GetParam().rows) MirrorInBody(text, row);
+  const std::string message = MessageOn(text.Text());
+  EXPECT_NE(message.find(std::string(": ") + GetParam().told + " lies "), std::string::npos)
+      << message;
+  EXPECT_NE(message.find("these are landmarks of two sides. Give all of one side"),
+            std::string::npos)
+      << message;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    OneEach, LandmarksOfTwoSides,
+    testing::Values(TwoSides{"SC", {4}, "SC"}, TwoSides{"AC", {5}, "AC"}, TwoSides{"AI", {8}, "AI"},
+                    TwoSides{"GH", {10}, "GH"}, TwoSides{"arm", {11, 12}, "EM"},
+                    TwoSides{"EL", {12}, "EL"},
+                    TwoSides{"scapula and arm", {6, 7, 8, 9, 10, 11, 12}, "SC"}));
+
+TEST(LandmarksOfTwoSides, AreNotSeenInAnArmAcrossTheBody) {
+  const ShoulderPose pose =
+      BuiltInRhythm().SolvePose({RadiansFromDegrees(70), RadiansFromDegrees(130)});
+  EXPECT_EQ(MessageOn(IsbInALab(Adult(), pose, {{1, 0, 0, 0}, {0, 0, 0}}).Text()),
+            "(nothing was thrown)");
+}
+
+// --- GH -------------------------------------------------------------------------------------
+
+TEST(ReadPersonAnatomy, EstimatesGhThatIsNotThere) {
+  CsvText text(ExampleText());
+  text.RemoveRow(10);
+  const Anatomy anatomy = Read(text.Text());
+  const auto at = [&](Landmark landmark) { return anatomy.landmark_m(landmark); };
+  EXPECT_LT(glm::distance(at(Landmark::kGH),
+                          EstimatedGh_m(at(Landmark::kPC), {0, 0, 0}, at(Landmark::kAA),
+                                        at(Landmark::kTS), at(Landmark::kAI))),
+            kRounding_m);
+  EXPECT_EQ(anatomy.gh_origin,
+            "estimated from PC, AC, AA, TS and AI (Meskers et al. 1998), with a root mean square "
+            "error of 2.3 mm to the side, 2.7 mm up and 3 mm forward on bare bones, and more on "
+            "landmarks felt through skin; it misses GH of the built-in bones by 15 mm. Points of "
+            "the humeral head, HH1 HH2 ..., would tell GH");
+}
+
+TEST(ReadPersonAnatomy, EstimatesGhInTheScapulasFrameToo) {
+  CsvText text(built_in_files::kLandmarks);
+  text.RemoveRow(12);
+  const Anatomy anatomy = Read(text.Text());
+  EXPECT_NE(anatomy.gh_origin.find("Meskers"), std::string::npos);
+  EXPECT_EQ(anatomy.landmark_m(Landmark::kEM), Adult().landmark_m(Landmark::kEM));
+}
+
+TEST(ReadPersonAnatomy, SaysNothingOfGhThatIsThere) {
+  EXPECT_EQ(Read(ExampleText()).gh_origin, "");
+}
+
+// Rows of points on a sphere about the example's GH in place of it.
+CsvText ExampleWithHead(const std::vector<Vector3>& directions, double radius_m) {
+  CsvText text(ExampleText());
+  const Vector3 gh_m{std::stod(text.Cell(10, "x_m")), std::stod(text.Cell(10, "y_m")),
+                     std::stod(text.Cell(10, "z_m"))};
+  text.RemoveRow(10);
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    const Vector3 p_m = gh_m + radius_m * glm::normalize(directions.at(i));
+    text.rows.push_back({"HH" + std::to_string(i + 1), "lab", NumberText(p_m.x), NumberText(p_m.y),
+                         NumberText(p_m.z)});
+  }
+  return text;
+}
+
+const std::vector<Vector3> kDirections = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}, {-1, 1, 0.5}};
+
+TEST(ReadPersonAnatomy, TakesGhFromPointsOfTheHumeralHead) {
+  const Anatomy anatomy = Read(ExampleWithHead(kDirections, 0.024).Text());
+  EXPECT_LT(LargestDifference_m(anatomy, Read(ExampleText())), 1e-9);
+  EXPECT_NE(
+      anatomy.gh_origin.find("centre of the sphere through 5 points of the humeral head, with "
+                             "a radius of 24 mm; the points lie 0 mm off it (root mean "
+                             "square); an error of 1 mm in the points moves the centre by "),
+      std::string::npos)
+      << anatomy.gh_origin;
+}
+
+class FlawedHead : public testing::TestWithParam<CsvFlaw> {};
+
+TEST_P(FlawedHead, IsRefusedWithPlaceAndFix) {
+  CsvText text = ExampleWithHead(kDirections, 0.024);
+  GetParam().change(text);
+  EXPECT_EQ(MessageOn(text.Text()), GetParam().message);
+}
+
+// HH1 to HH5 stand in lines 14 to 18.
+INSTANTIATE_TEST_SUITE_P(
+    OneFlawEach, FlawedHead,
+    testing::Values(
+        CsvFlaw{"four in a plane",
+                [](CsvText& text) {
+                  text = ExampleWithHead({{1, 0, 1}, {-1, 0, 1}, {0, 1, 1}, {0, -1, 1}}, 0.024);
+                },
+                "t.csv:17: HH1 HH2 HH3 HH4: lie nearly in a plane, 0 mm off it, and tell no "
+                "sphere. Add points off that plane, over as much of the humeral head as can be "
+                "reached"},
+        CsvFlaw{"three",
+                [](CsvText& text) {
+                  text.RemoveRow(16);
+                  text.RemoveRow(15);
+                },
+                "t.csv:16: HH1 HH2 HH3: 3 of them tell no sphere. Give at least four"},
+        CsvFlaw{"a hip's size", [](CsvText& text) { text = ExampleWithHead(kDirections, 0.06); },
+                "t.csv:18: HH1 HH2 HH3 HH4 HH5: the sphere through them has a radius of 60 mm, "
+                "expected 8 mm to 48 mm. Give points of the humeral head, in meters"},
+        CsvFlaw{"GH besides",
+                [](CsvText& text) {
+                  text.rows.insert(text.rows.begin(), CsvText(ExampleText()).rows.at(10));
+                },
+                "t.csv:19: HH1 HH2 HH3 HH4 HH5: the sphere through these gives GH, which stands in "
+                "line 2 already. Remove that row or these"},
+        CsvFlaw{"a number twice", [](CsvText& text) { text.rows.at(16).at(0) = "HH1"; },
+                "t.csv:18: 'HH1' stands twice. Number the points of the humeral head"},
+        CsvFlaw{"in a segment's frame",
+                [](CsvText& text) {
+                  const auto row = text.rows.at(12);
+                  text = CsvText(built_in_files::kLandmarks);
+                  text.rows.at(12) = {"HH1", "humerus", row.at(2), row.at(3), row.at(4)};
+                },
+                "t.csv:14: HH1 is given in the frame 'humerus': points of the humeral head serve "
+                "where all landmarks stand in 'lab'. Give GH in the scapula's frame instead"}));
+
+// --- A left shoulder ------------------------------------------------------------------------
+
+TEST(ReadDigitizedPerson, TellsToMirrorTheMeshOfALeftPersonToo) {
+  CsvText text(ExampleText());
+  MirrorAll(text);
+  std::istringstream in(text.Text());
+  EXPECT_EQ(MessageOf<InputError>(
+                [&] { static_cast<void>(ReadDigitizedPerson(in, "t.csv", Adult(), "her.obj")); }),
+            "t.csv:6: these are landmarks of a left shoulder. Make it a right one: negate z_m in "
+            "every row, and mirror the mesh with them: negate the third coordinate of every vertex "
+            "of her.obj and turn the order of the corners of every face");
+}
 
 // What the message of a left shoulder tells to do.
 TEST(ReadPersonAnatomy, TakesALeftShoulderWhoseZIsNegated) {

@@ -289,6 +289,33 @@ def move_to(name: str, other: str) -> Callable[[Rows], None]:
     return change
 
 
+def one_of_the_left(rows: Rows) -> None:
+    """Takes EL to the other arm: as far beyond IJ as it was before it, along the shoulders."""
+    by_name = {row[0]: row for row in rows}
+    ij, gh, el = ([float(x) for x in by_name[name][2:]] for name in ("IJ", "GH", "EL"))
+    across = [gh[0] - ij[0], gh[1] - ij[1]]
+    length = math.hypot(*across)
+    off = sum(a * (e - i) for a, e, i in zip(across, el, ij, strict=False)) / length
+    by_name["EL"][2:4] = [repr(e - 2 * off * a / length) for e, a in zip(el, across, strict=False)]
+
+
+def head(points_mm: list[tuple[float, float, float]]) -> Callable[[Rows], None]:
+    """Gives points of the humeral head, counted from GH, in place of GH."""
+
+    def change(rows: Rows) -> None:
+        gh = next(row for row in rows if row[0] == "GH")
+        rows.remove(gh)
+        for number, point_mm in enumerate(points_mm, start=1):
+            point = [repr(float(g) + p / 1e3) for g, p in zip(gh[2:], point_mm, strict=True)]
+            rows.append([f"HH{number}", "lab", *point])
+
+    return change
+
+
+PLANE_MM = [(24.0, 0.0, 5.0), (0.0, 24.0, 5.0), (-24.0, 0.0, 5.0), (0.0, -24.0, 5.0)]
+HEAD_MM = [(24.0, 0.0, 0.0), (0.0, 24.0, 0.0), (0.0, 0.0, 24.0), (-24.0, 0.0, 0.0)]
+
+
 def onto_line(rows: Rows) -> None:
     """Puts AI behind TS, as seen from AC."""
     by_name = {row[0]: row for row in rows}
@@ -300,7 +327,7 @@ def onto_line(rows: Rows) -> None:
 @pytest.mark.parametrize(
     ("change", "because"),
     [
-        (drop("GH"), ("mine.csv:21: no row for GH",)),
+        (drop("AA"), ("mine.csv:21: no row for AA",)),
         (drop("AC"), ("mine.csv:21: no row for PAC \\(or AC\\)",)),
         (repeat, ("mine.csv:23: 'EL' stands in line 22 already", "Remove one")),
         (mirror, ("mine.csv:14: .*left shoulder", "negate z_m")),
@@ -313,6 +340,11 @@ def onto_line(rows: Rows) -> None:
         (swap_names("TS", "AI"), ("mine.csv:17: .*TS and AI have each other's place",)),
         (swap_names("PX", "T8"), ("mine.csv:11: .*PX and T8 have each other's place",)),
         (swap_names("IJ", "C7"), ("mine.csv:10: .*IJ and C7 have each other's place",)),
+        (swap_names("AC", "AA"), ("mine.csv:15: .*: AC and AA have each other's place",)),
+        (swap_names("AC", "PC"), ("mine.csv:15: .*: AC and PC have each other's place",)),
+        (swap_names("PC", "GH"), ("mine.csv:19: .*: PC and GH have each other's place",)),
+        (one_of_the_left, ("mine.csv:22: EL lies .* two sides", "Give all of one side")),
+        (head(PLANE_MM), ("mine.csv:25: HH1 HH2 HH3 HH4: lie nearly in a plane", "Add points")),
     ],
     ids=[
         "missing",
@@ -328,6 +360,11 @@ def onto_line(rows: Rows) -> None:
         "TS and AI",
         "PX and T8",
         "IJ and C7",
+        "AC and AA",
+        "AC and PC",
+        "PC and GH",
+        "two sides",
+        "head in a plane",
     ],
 )
 def test_a_bad_file_is_refused(
@@ -351,3 +388,27 @@ def test_a_file_that_only_loses_its_comments_is_fine(girdle_fine: Girdle, tmp_pa
     rows = [line for line in lines if not line.startswith("#")]
     (tmp_path / "mine.csv").write_text("\n".join(rows) + "\n", encoding="utf-8")
     girdle_fine("generate", "--out", "model", "--anatomy", "mine.csv")
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        (drop("GH"), ("GH is estimated from PC, AC, AA, TS and AI", "Meskers", "2.3 mm", "15 mm")),
+        (head(HEAD_MM), ("GH is the centre of the sphere through 4 points", "radius of 24 mm")),
+    ],
+    ids=["estimated", "sphere"],
+)
+def test_how_gh_was_found_is_said_where_no_row_gives_it(
+    girdle: Girdle, tmp_path: Path, change: Callable[[Rows], None], said: tuple[str, ...]
+) -> None:
+    lines = EXAMPLE.read_text(encoding="utf-8").splitlines()
+    rows = [line.split(",") for line in lines if not line.startswith("#")]
+    change(rows)
+    (tmp_path / "mine.csv").write_text("\n".join(map(",".join, rows)) + "\n", encoding="utf-8")
+    finished = girdle("generate", "--out", "model", "--anatomy", "mine.csv", "--json")
+    assert finished.code == 0
+    assert finished.message.startswith("mine.csv: GH is ")
+    gh = json.loads(finished.text)["gh"]
+    for words_said in said:
+        assert words_said in finished.message
+    assert gh in finished.message

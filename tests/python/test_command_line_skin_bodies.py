@@ -425,6 +425,28 @@ def test_a_landmark_outside_the_skin_is_refused(
     refuses(*MESH, because=(r"person.csv: PX: up to \d+ mm outside the skin of person.obj",))
 
 
+def test_a_left_person_is_told_to_mirror_mesh_and_landmarks_which_then_serves(
+    girdle_fine: Girdle, refuses: Refuses, person: Person, tmp_path: Path
+) -> None:
+    def mirror() -> None:
+        person.skin.vertices_m = [(x, y, -z) for x, y, z in person.skin.vertices_m]
+        person.skin.triangles = [(a, c, b) for a, b, c in person.skin.triangles]
+        person.landmarks_m = {n: (x, y, -z) for n, (x, y, z) in person.landmarks_m.items()}
+        person.write(tmp_path)
+
+    mirror()
+    refuses(
+        *MESH,
+        because=(
+            r"person.csv:\d+: these are landmarks of a left shoulder",
+            "negate z_m in every row",
+            "negate the third coordinate of every vertex of person.obj and turn the order",
+        ),
+    )
+    mirror()
+    girdle_fine(*MESH)
+
+
 def test_landmarks_without_a_posture_are_refused(
     refuses: Refuses, person: Person, tmp_path: Path
 ) -> None:
