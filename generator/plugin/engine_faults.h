@@ -11,7 +11,8 @@ namespace girdle {
 /// Returns what version `version` (as mj_version) does wrongly with this model, with the fix, or
 /// nothing. `is_sparse` is what mj_isSparse says of the model.
 ///   4.0.0  factorises sparse matrices wrongly.
-/// Version 3.3.0 takes the ranges of an attached model, in radians, for degrees: see model_faults.h.
+/// Version 3.3.0 takes the ranges of an attached model, in radians, for degrees: see
+/// model_faults.h.
 [[nodiscard]] std::string EngineFault(int version, bool is_sparse);
 
 }  // namespace girdle

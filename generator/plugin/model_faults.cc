@@ -55,7 +55,8 @@ class FaultFinder {
     if (widest_rad < kNoRangeOfAShoulder_rad) {
       Add("all joint ranges are within " + SignificantText(widest_rad, 2) +
           " rad, as if their radians had been read as degrees: write <compiler angle=\"radian\"/> "
-          "after the last <include>, or in Python set compiler.degree of the parent to False before "
+          "after the last <include>, or in Python set compiler.degree of the parent to False "
+          "before "
           "you attach");
     }
   }
@@ -95,10 +96,9 @@ class FaultFinder {
   }
 
   static bool HasTerms(const mjtNum* polynomials, int element) {
-    return polynomials != nullptr &&
-           std::any_of(polynomials + kPolynomialTerms * element,
-                       polynomials + kPolynomialTerms * (element + 1),
-                       [](mjtNum term) { return term != 0; });
+    return polynomials != nullptr && std::any_of(polynomials + kPolynomialTerms * element,
+                                                 polynomials + kPolynomialTerms * (element + 1),
+                                                 [](mjtNum term) { return term != 0; });
   }
 
   void CheckDamping() {

@@ -57,8 +57,8 @@ void Warn(const char* instance_name, const char* message) noexcept {
 // What moves the shoulder wrongly without a word: faults of this engine, and of the model.
 std::string Faults(const mjModel* model, const RhythmController& controller) {
   const std::string of_engine = EngineFault(engine.version(), engine.is_sparse(model) != 0);
-  const std::string of_model = ModelFaults(CompiledViewOf(*model, *layout), controller.binding(),
-                                           controller.rhythm());
+  const std::string of_model =
+      ModelFaults(CompiledViewOf(*model, *layout), controller.binding(), controller.rhythm());
   return of_engine + (of_engine.empty() || of_model.empty() ? "" : "; ") + of_model;
 }
 

@@ -268,8 +268,8 @@ class RhythmBinder {
     }
   }
 
-  // Where the clavicle begins in the thorax, and where on it the scapula hangs. A left shoulder's are
-  // taken to the right.
+  // Where the clavicle begins in the thorax, and where on it the scapula hangs. A left shoulder's
+  // are taken to the right.
   void FindClavicle() {
     binding_.p_TC_m = ToTheRight(model_.body_pos + 3 * binding_.clavicle_body);
     if (binding_.assembly == Assembly::kLoop) {
@@ -280,7 +280,8 @@ class RhythmBinder {
     if (binding_.has_place_servos && !binding_.p_CS_m) {
       throw std::runtime_error(
           "servos for the scapula's place (st_lateral and so on), but no <connect site1=\"...\" "
-          "site2=\"...\"/> of clavicle and scapula in <equality>, which says where the AC joint is. "
+          "site2=\"...\"/> of clavicle and scapula in <equality>, which says where the AC joint "
+          "is. "
           "Add one");
     }
   }
