@@ -21,6 +21,7 @@
 #include "commands/rhythm_arguments.h"
 #include "commands/simulation_module.h"
 #include "commands/word_argument.h"
+#include "kinematics/lengths.h"
 #include "simulation/motion.h"
 #include "text/input_error.h"
 #include "text/json_text.h"
@@ -168,7 +169,21 @@ std::string SummaryAsJson(const SimulateArguments& arguments, const SimulationSu
   json["worst_distance_deg"] = summary.worst_distance_deg;
   json["worst_tracking_error_deg"] = summary.worst_error_deg;
   json["last_tracking_error_deg"] = summary.last_error_deg;
+  json["loop_gaps_mm"] = nlohmann::ordered_json::object();
+  for (const LoopGap& loop : summary.loop_gaps) {
+    json["loop_gaps_mm"][loop.name] = loop.gap_m * kMillimetersPerMeter;
+  }
   return JsonText(json);
+}
+
+std::string LoopGapsAsText(const SimulationSummary& summary) {
+  constexpr int kDecimals = 3;
+  std::string text;
+  for (const LoopGap& loop : summary.loop_gaps) {
+    text += "loop " + loop.name + " open by at most " +
+            RoundedText(loop.gap_m * kMillimetersPerMeter, kDecimals) + " mm\n";
+  }
+  return text;
 }
 
 // What is said after a simulation: how it went, and a line for each file that was written.
@@ -187,6 +202,7 @@ std::string SummaryAsText(const SimulateArguments& arguments, const SimulationSu
               ? "up to " + RoundedText(summary.worst_distance_deg, kDecimals) +
                     " deg from measured positions: modelled, not measured\n"
               : "") +
+         LoopGapsAsText(summary) +
          (!arguments.trace.empty() ? "trace  " + arguments.trace + "\n" : "") +
          (!arguments.controls.empty() ? "controls  " + arguments.controls + "\n" : "") +
          (!arguments.picture.empty() ? "picture  " + arguments.picture + "\n" : "") +

@@ -142,6 +142,13 @@ void AddTo(SimulationSummary& summary, const ShoulderState& state, const Shoulde
   summary.worst_error_deg = WorseOf(summary.worst_error_deg, summary.last_error_deg);
 }
 
+void AddGaps(SimulationSummary& summary, const std::vector<double>& gaps_m) {
+  for (std::size_t loop = 0; loop < gaps_m.size(); ++loop) {
+    double& worst_m = summary.loop_gaps[loop].gap_m;
+    worst_m = WorseOf(worst_m, gaps_m[loop]);
+  }
+}
+
 SimulationSummary Simulate(const std::string& model_path, const std::string& plugin,
                            const MotionRequest& request, const RhythmChoice& rhythm,
                            const TextSink& trace, const TextSink& controls,
@@ -163,6 +170,9 @@ SimulationSummary Simulate(const std::string& model_path, const std::string& plu
     controls(ControlsHeader(simulation.TargetNames()));
   }
   SimulationSummary summary;
+  for (const std::string& name : simulation.LoopNames()) {
+    summary.loop_gaps.push_back({name});
+  }
   std::string row;
   for (long step = 0; step <= steps; ++step) {
     // The last state has no step after it.
@@ -180,6 +190,7 @@ SimulationSummary Simulate(const std::string& model_path, const std::string& plu
       controls(row);
     }
     AddTo(summary, state, simulation.rhythm().rhythm());
+    AddGaps(summary, simulation.LoopGaps_m());
     progress(static_cast<double>(step) / static_cast<double>(std::max(steps, 1L)));
   }
   summary.frames = drawn.Finish();

@@ -39,6 +39,12 @@ struct MotionRequest {
   std::optional<Side> side;
 };
 
+/// How far the joint of a loop opened.
+struct LoopGap {
+  std::string name;  ///< of the equality that closes it
+  double gap_m = 0;
+};
+
 struct SimulationSummary {
   std::size_t rows = 0;        ///< of the trace
   double duration_s = 0;       ///< simulated
@@ -48,6 +54,8 @@ struct SimulationSummary {
   std::size_t clamped_rows = 0;
   double worst_distance_deg = 0;  ///< farthest from measured data
   long frames = 0;                ///< of the video
+  /// The farthest, of each loop of the model; none of trees.
+  std::vector<LoopGap> loop_gaps;
 };
 
 /// A pose that the model has a name for.

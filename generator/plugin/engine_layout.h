@@ -27,13 +27,17 @@ struct EngineLayout {
 #define GIRDLE_MODEL_COUNT(member) std::uint32_t member;
 #define GIRDLE_MODEL_FLAGS(member, name) std::uint32_t name;
 #define GIRDLE_MODEL_ARRAY(type, member) std::uint32_t member;
+#define GIRDLE_INIT_VALUE(type, member, name) std::uint32_t name;
+#define GIRDLE_INIT_COUNT(member) std::uint32_t member;
+#define GIRDLE_INIT_ARRAY(type, member) std::uint32_t member;
 #define GIRDLE_DATA_ARRAY(type, member) std::uint32_t member;
 #define GIRDLE_CONSTANT(enumerator, name) int name;
 #include "plugin/engine_members.inc"
 };
 
 /// Stands for the offset of a member that a version does not have. Before 3.11 there are no
-/// actuator_ctrladr and actuator_outadr: actuator, control and force then have one number.
+/// actuator_ctrladr and actuator_outadr: actuator, control and force then have one number. Earlier
+/// ones have no jnt_stiffnesspoly and dof_dampingpoly: spring and damper are then linear.
 inline constexpr std::uint32_t kNoMember = 0xffffffff;
 
 /// Returns the layout of the version that mj_version gives as `version`, or null if it is not

@@ -18,10 +18,27 @@ bool LeadsIntoBuffer(const void* base, const EngineLayout::Buffer& buffer,
 
 }  // namespace
 
+CompiledView CompiledViewOf(const mjModel& model, const EngineLayout& engine) noexcept {
+  CompiledView view{};
+  view.model = ViewOf(model, engine);
+#define GIRDLE_INIT_VALUE(type, member, name) view.name = ReadMember<type>(&model, engine.name);
+#define GIRDLE_INIT_COUNT(member) view.member = ReadCount(model, engine, engine.member);
+#define GIRDLE_INIT_ARRAY(type, member) \
+  view.member = ReadPointer<const type>(&model, engine.member);
+#define GIRDLE_INIT_OPTIONAL_ARRAY(type, member)                  \
+  if (engine.member != kNoMember) {                               \
+    view.member = ReadPointer<const type>(&model, engine.member); \
+  }
+#include "plugin/engine_members.inc"
+  return view;
+}
+
 bool LayoutFits(const mjModel& model, const mjData& data, const EngineLayout& engine, int instance,
                 const char* name) noexcept {
   bool fits = true;
 #define GIRDLE_MODEL_ARRAY(type, member) \
+  fits = fits && LeadsIntoBuffer(&model, engine.model_buffer, engine.member);
+#define GIRDLE_INIT_ARRAY(type, member) \
   fits = fits && LeadsIntoBuffer(&model, engine.model_buffer, engine.member);
 #define GIRDLE_DATA_ARRAY(type, member) \
   fits = fits && LeadsIntoBuffer(&data, engine.data_buffer, engine.member);

@@ -31,6 +31,13 @@ template <typename T>
   return ReadMember<T*>(base, offset);
 }
 
+/// Returns the count that lies `offset` bytes into an mjModel.
+[[nodiscard]] inline std::int64_t ReadCount(const mjModel& model, const EngineLayout& engine,
+                                            std::size_t offset) noexcept {
+  return engine.count_size == sizeof(std::int32_t) ? ReadMember<std::int32_t>(&model, offset)
+                                                   : ReadMember<std::int64_t>(&model, offset);
+}
+
 /// mjModel, to read. Members are those of MuJoCo 4.
 struct ModelView {
   const EngineLayout* engine;
@@ -50,6 +57,15 @@ struct ModelView {
   [[nodiscard]] bool Disables(int flag) const noexcept { return (disableflags & flag) != 0; }
 };
 
+/// What init alone looks at besides, so that no step reads it. Members are those of MuJoCo 4.
+struct CompiledView {
+  ModelView model;
+#define GIRDLE_INIT_VALUE(type, member, name) type name;
+#define GIRDLE_INIT_COUNT(member) std::int64_t member;
+#define GIRDLE_INIT_ARRAY(type, member) const type* member;
+#include "plugin/engine_members.inc"
+};
+
 /// mjData, to read and to write.
 struct DataView {
 #define GIRDLE_DATA_ARRAY(type, member) type* member;
@@ -59,10 +75,7 @@ struct DataView {
 [[nodiscard]] inline ModelView ViewOf(const mjModel& model, const EngineLayout& engine) noexcept {
   ModelView view{};
   view.engine = &engine;
-#define GIRDLE_MODEL_COUNT(member)                                    \
-  view.member = engine.count_size == sizeof(std::int32_t)             \
-                    ? ReadMember<std::int32_t>(&model, engine.member) \
-                    : ReadMember<std::int64_t>(&model, engine.member);
+#define GIRDLE_MODEL_COUNT(member) view.member = ReadCount(model, engine, engine.member);
 #define GIRDLE_MODEL_FLAGS(member, name) view.name = ReadMember<int>(&model, engine.name);
 #define GIRDLE_MODEL_ARRAY(type, member) \
   view.member = ReadPointer<const type>(&model, engine.member);
@@ -73,6 +86,9 @@ struct DataView {
 #include "plugin/engine_members.inc"
   return view;
 }
+
+[[nodiscard]] CompiledView CompiledViewOf(const mjModel& model,
+                                          const EngineLayout& engine) noexcept;
 
 [[nodiscard]] inline DataView ViewOf(mjData& data, const EngineLayout& engine) noexcept {
   DataView view{};

@@ -8,6 +8,7 @@
 #include <exception>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "names/model_names.h"
 #include "plugin/controller_registry.h"
@@ -15,6 +16,7 @@
 #include "plugin/engine_functions.h"
 #include "plugin/engine_views.h"
 #include "plugin/library_files.h"
+#include "plugin/model_faults.h"
 #include "plugin/rhythm_controller.h"
 #include "rhythm_tables/rhythm_config.h"
 #include "text/same_bytes.h"
@@ -52,6 +54,14 @@ void Warn(const char* instance_name, const char* message) noexcept {
                  instance_name == nullptr ? "" : instance_name, message);
 }
 
+// What moves the shoulder wrongly without a word: faults of this engine, and of the model.
+std::string Faults(const mjModel* model, const RhythmController& controller) {
+  const std::string of_engine = EngineFault(engine.version(), engine.is_sparse(model) != 0);
+  const std::string of_model =
+      ModelFaults(CompiledViewOf(*model, *layout), controller.binding(), controller.rhythm());
+  return of_engine + (of_engine.empty() || of_model.empty() ? "" : "; ") + of_model;
+}
+
 // Returns 0, or -1 after a warning that names instance and fix. Nothing escapes.
 int Init(const mjModel* model, mjData* data, int instance) noexcept {
   const char* const name = engine.id_to_name(model, layout->object_plugin, instance);
@@ -64,11 +74,11 @@ int Init(const mjModel* model, mjData* data, int instance) noexcept {
   }
   TicketIn(*data, instance) = 0;
   try {
-    TicketIn(*data, instance) = registry->Add(MakeController(model, instance), data, instance);
-    const std::string fault = EngineFault(engine.version(), ViewOf(*model, *layout), instance,
-                                          engine.is_sparse(model) != 0);
-    if (!fault.empty()) {
-      Warn(name, fault.c_str());
+    std::unique_ptr<RhythmController> controller = MakeController(model, instance);
+    const std::string faults = Faults(model, *controller);
+    TicketIn(*data, instance) = registry->Add(std::move(controller), data, instance);
+    if (!faults.empty()) {
+      Warn(name, faults.c_str());
     }
     return 0;
   } catch (const std::exception& error) {
@@ -105,6 +115,11 @@ void Compute(const mjModel* model, mjData* data, int instance, int capability) n
   }
   if ((capability & layout->plugin_sensor) != 0) {
     controller->Sense(model_view, data_view);
+    if (controller->FirstMisses(data_view)) {
+      Warn(engine.id_to_name(model, layout->object_plugin, instance),
+           "MuJoCo does not work out where the thorax is, and the sensor shows no arm, because "
+           "sleeping was switched on after mj_makeData: call mj_resetData after you switch it on");
+    }
   }
 }
 

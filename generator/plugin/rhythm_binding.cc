@@ -102,14 +102,18 @@ class RhythmBinder {
     CheckRates();
     FindSensors();
     FindRanges();
-    if (binding_.has_place_servos) {
-      FindClavicle();
-    }
+    FindClavicle();
     return binding_;
   }
 
  private:
   void FindActuators() {
+    if (std::find(model_.actuator_plugin, model_.actuator_plugin + model_.nactuator, instance_) ==
+        model_.actuator_plugin + model_.nactuator) {
+      throw std::runtime_error(
+          "it has lost its actuators, as where a shoulder was deleted from a model. Delete this "
+          "instance and its sensor as well, or make the model with girdle generate --side");
+    }
     for (int actuator = 0; actuator < model_.nactuator; ++actuator) {
       if (model_.actuator_plugin[actuator] != instance_) {
         continue;
@@ -156,7 +160,10 @@ class RhythmBinder {
              model_.actuator_group[actuator]};
     // The first hinge of SC turns the clavicle in the thorax, the last of GH the humerus.
     if (role == 0) {
-      binding_.thorax_body = model_.body_parentid[model_.jnt_bodyid[joint]];
+      binding_.clavicle_body = model_.jnt_bodyid[joint];
+      binding_.thorax_body = model_.body_parentid[binding_.clavicle_body];
+    } else if (slot == kJointCount && !is_translation) {
+      binding_.scapula_body = model_.jnt_bodyid[joint];
     } else if (role == kGhAxialIndex) {
       binding_.humerus_body = model_.jnt_bodyid[joint];
     }
@@ -261,15 +268,30 @@ class RhythmBinder {
     }
   }
 
-  // Where the clavicle begins in the thorax, and where on it the scapula hangs: from the connect of
-  // the two bones. A left shoulder's are taken to the right.
+  // Where the clavicle begins in the thorax, and where on it the scapula hangs. A left shoulder's
+  // are taken to the right.
   void FindClavicle() {
-    const int clavicle = model_.jnt_bodyid[model_.dof_jntid[binding_.servos[0].dof_address]];
-    const int scapula = model_.jnt_bodyid[model_.dof_jntid[binding_.place_servos[0].dof_address]];
-    const auto to_the_right = [this](const mjtNum* p) {
-      return OnSide(config_.side, Vector3(p[0], p[1], p[2]));
-    };
-    binding_.p_TC_m = to_the_right(model_.body_pos + 3 * clavicle);
+    binding_.p_TC_m = ToTheRight(model_.body_pos + 3 * binding_.clavicle_body);
+    if (binding_.assembly == Assembly::kLoop) {
+      binding_.p_CS_m = ConnectOnClavicle();
+    } else if (model_.body_parentid[binding_.scapula_body] == binding_.clavicle_body) {
+      binding_.p_CS_m = ToTheRight(model_.body_pos + 3 * binding_.scapula_body);
+    }
+    if (binding_.has_place_servos && !binding_.p_CS_m) {
+      throw std::runtime_error(
+          "servos for the scapula's place (st_lateral and so on), but no <connect site1=\"...\" "
+          "site2=\"...\"/> of clavicle and scapula in <equality>, which says where the AC joint "
+          "is. "
+          "Add one");
+    }
+  }
+
+  [[nodiscard]] Vector3 ToTheRight(const mjtNum* p) const {
+    return OnSide(config_.side, Vector3(p[0], p[1], p[2]));
+  }
+
+  // Where the connect of the two bones is on the clavicle.
+  [[nodiscard]] std::optional<Vector3> ConnectOnClavicle() const {
     for (int equality = 0; equality < model_.neq; ++equality) {
       if (model_.eq_type[equality] != model_.engine->equality_connect ||
           model_.eq_objtype[equality] != model_.engine->object_site) {
@@ -279,16 +301,12 @@ class RhythmBinder {
       const std::array<int, 2> bodies = {model_.site_bodyid[sites[0]],
                                          model_.site_bodyid[sites[1]]};
       for (const std::size_t own : {std::size_t{0}, std::size_t{1}}) {
-        if (bodies[own] == clavicle && bodies[1 - own] == scapula) {
-          binding_.p_CS_m = to_the_right(model_.site_pos + 3 * sites[own]);
-          return;
+        if (bodies[own] == binding_.clavicle_body && bodies[1 - own] == binding_.scapula_body) {
+          return ToTheRight(model_.site_pos + 3 * sites[own]);
         }
       }
     }
-    throw std::runtime_error(
-        "servos for the scapula's place (st_lateral and so on), but no <connect site1=\"...\" "
-        "site2=\"...\"/> of clavicle and scapula in <equality>, which says where the AC joint is. "
-        "Add one");
+    return std::nullopt;
   }
 
   const ModelView& model_;

@@ -14,6 +14,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "kinematics/assembled_rhythm.h"
@@ -37,18 +38,21 @@ struct RhythmBinding {
   bool has_rates = false;  ///< at least one command of a rate
   std::vector<BoundSensor> sensors;
   int thorax_body = 0;
+  int clavicle_body = 0;
+  int scapula_body = 0;
   int humerus_body = 0;
   JointRanges ranges{};  ///< of the nine hinges; unbounded where the model gives none
-  /// Where servos drive the scapula's place: the clavicle's origin in the thorax and the AC joint
-  /// on the clavicle, both as of a right shoulder [m].
+  /// The clavicle's origin in the thorax and the AC joint on the clavicle, both as of a right
+  /// shoulder [m]. AC's place is missing where nothing says it: it is where the scapula hangs, or
+  /// in a loop where a connect holds it. Where servos drive the scapula's place it is always there.
   Vector3 p_TC_m{0, 0, 0};
-  Vector3 p_CS_m{0, 0, 0};
+  std::optional<Vector3> p_CS_m;
 };
 
 /// Finds the elements of an instance and checks them and the configuration against each other.
-/// Throws std::runtime_error that names the element and the fix: an actuator without a role, two of
-/// one role, a role that nothing has, a servo on another kind of joint or with a gear, a joint that
-/// nothing holds, rates where there are none.
+/// Throws std::runtime_error that names the element and the fix: an instance without actuators, an
+/// actuator without a role, two of one role, a role that nothing has, a servo on another kind of
+/// joint or with a gear, a joint that nothing holds, rates where there are none.
 [[nodiscard]] RhythmBinding BindRhythm(const ModelView& model, int instance,
                                        const RhythmConfig& config);
 

@@ -48,7 +48,7 @@ void RhythmController::SolveAim(const ArmCommand& command) noexcept {
   const ShoulderPose pose = rhythm_.SolvePose(command, &solved_.used);
   solved_.target_rad = DrivenAngles(rhythm_.assembly(), pose);
   if (binding_.has_place_servos) {
-    solved_.target_p_TS_m = binding_.p_TC_m + pose.q_TC * binding_.p_CS_m;
+    solved_.target_p_TS_m = binding_.p_TC_m + pose.q_TC * *binding_.p_CS_m;
   }
 }
 
@@ -57,6 +57,15 @@ ArmCommand RhythmController::ReadCommand(const ModelView& model,
   return {binding_.commands[0].Read(model, data), binding_.commands[1].Read(model, data),
           binding_.commands[2].Read(model, data), binding_.commands[3].Read(model, data),
           binding_.commands[4].Read(model, data)};
+}
+
+bool RhythmController::FirstMisses(const DataView& data) noexcept {
+  const mjtNum* const q = data.xquat + 4 * binding_.thorax_body;
+  if (misses_pose_ || q[0] != 0 || q[1] != 0 || q[2] != 0 || q[3] != 0) {
+    return false;
+  }
+  misses_pose_ = true;
+  return true;
 }
 
 ArmAngles RhythmController::Reached(const DataView& data) const noexcept {

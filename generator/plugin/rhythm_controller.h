@@ -43,6 +43,13 @@ class RhythmController {
   /// kinematics done.
   void Sense(const ModelView& model, const DataView& data) noexcept;
 
+  /// Returns, once, whether MuJoCo has not worked out where the thorax is although positions are
+  /// done. A thorax that stands still is left out where sleeping was switched on after mj_makeData.
+  [[nodiscard]] bool FirstMisses(const DataView& data) noexcept;
+
+  [[nodiscard]] const RhythmBinding& binding() const noexcept { return binding_; }
+  [[nodiscard]] const AssembledRhythm& rhythm() const noexcept { return rhythm_; }
+
  private:
   /// What the servos aim at.
   struct Aim {
@@ -71,6 +78,7 @@ class RhythmController {
   /// spares the servos what the sensor has computed in the same step.
   ArmCommand solved_command_;
   Aim solved_{};
+  bool misses_pose_ = false;
   Aim holding_{};  ///< where the joints are, while a command is not a number
 };
 

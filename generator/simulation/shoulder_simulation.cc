@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <utility>
 
@@ -127,6 +128,30 @@ std::vector<double> ShoulderSimulation::Targets() const {
     targets.insert(targets.end(), {place_m.x, place_m.y, place_m.z});
   }
   return targets;
+}
+
+std::vector<std::string> ShoulderSimulation::LoopNames() const {
+  std::vector<std::string> names;
+  for (const ShoulderElements& elements : shoulders()) {
+    if (elements.assembly == Assembly::kLoop) {
+      names.push_back(SidedName(kConnectName, elements.side));
+    }
+  }
+  return names;
+}
+
+std::vector<double> ShoulderSimulation::LoopGaps_m() const {
+  constexpr std::size_t kAc = 1;
+  std::vector<double> gaps_m;
+  for (const ShoulderElements& elements : shoulders()) {
+    if (elements.assembly == Assembly::kLoop) {
+      const int on_clavicle = elements.sites[static_cast<std::size_t>(Landmark::kPAC)];
+      const int on_scapula = elements.sites[kLandmarkCount + kAc];
+      gaps_m.push_back(glm::distance(PositionAt(data().site_xpos + 3 * on_clavicle),
+                                     PositionAt(data().site_xpos + 3 * on_scapula)));
+    }
+  }
+  return gaps_m;
 }
 
 JointAngles ShoulderSimulation::Positions() const {

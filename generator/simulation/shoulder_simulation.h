@@ -73,6 +73,10 @@ class ShoulderSimulation {
   /// of their actuators: the control signal of the same model with position servos.
   [[nodiscard]] std::vector<double> Targets() const;
   [[nodiscard]] std::vector<std::string> TargetNames() const;
+  /// How far the AC joint of each shoulder of a loop is open in the last state [m], and the names
+  /// of the equalities that close them; none of trees.
+  [[nodiscard]] std::vector<double> LoopGaps_m() const;
+  [[nodiscard]] std::vector<std::string> LoopNames() const;
   [[nodiscard]] const JointRanges& ranges() const noexcept { return loaded_.ranges(); }
   [[nodiscard]] double timestep_s() const noexcept { return loaded_.timestep_s(); }
   [[nodiscard]] const std::string& name() const noexcept { return loaded_.name(); }

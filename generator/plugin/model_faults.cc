@@ -1,0 +1,232 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "plugin/model_faults.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <optional>
+#include <vector>
+
+#include "kinematics/lengths.h"
+#include "names/longest_timestep.h"
+#include "text/number_text.h"
+
+namespace girdle {
+namespace {
+
+// Our models' widest range, of gh_axial, is 240 degrees = 4.2 rad. 4.2 degrees are 0.07 rad, and no
+// arm that moves has a widest range of less than 11 degrees [rad].
+constexpr double kNoRangeOfAShoulder_rad = 0.2;
+// A servo lags by damping / stiffness, 20 ms in the emitted models [s]. Shorter ones ring, longer
+// ones are slower than the arm.
+constexpr double kUsualLag_s = 0.02;
+constexpr double kShortestLag_s = 0.004;
+constexpr double kLongestLag_s = 0.1;
+// Of a ligament beyond its slack: 20 N, which turn no joint by more than 0.02 degrees.
+constexpr double kSlightStretch_m = 2e-4;
+constexpr int kPolynomialTerms = 2;  // mjNPOLY
+
+class FaultFinder {
+ public:
+  FaultFinder(const CompiledView& compiled, const RhythmBinding& binding,
+              const AssembledRhythm& rhythm)
+      : compiled_(compiled), model_(compiled.model), binding_(binding), rhythm_(rhythm) {}
+
+  [[nodiscard]] std::string Find() {
+    CheckRanges();
+    CheckTimestep();
+    CheckDamping();
+    CheckSprings();
+    CheckLigaments();
+    return faults_;
+  }
+
+ private:
+  void Add(const std::string& fault) { faults_ += (faults_.empty() ? "" : "; ") + fault; }
+
+  void CheckRanges() {
+    double widest_rad = 0;
+    for (const CoordinateRange& range : binding_.ranges) {
+      widest_rad = std::max(widest_rad, range.upper_rad - range.lower_rad);
+    }
+    if (widest_rad < kNoRangeOfAShoulder_rad) {
+      Add("all joint ranges are within " + SignificantText(widest_rad, 2) +
+          " rad, as if their radians had been read as degrees: write <compiler angle=\"radian\"/> "
+          "after the last <include>, or in Python set compiler.degree of the parent to False "
+          "before "
+          "you attach");
+    }
+  }
+
+  void CheckTimestep() {
+    const Lead lead = binding_.has_place_servos ? Lead::kScapula : Lead::kClavicle;
+    const bool is_rk4 = compiled_.integrator == model_.engine->integrator_rk4;
+    const double longest_s = LongestTimestep_s(binding_.assembly, lead, is_rk4);
+    if (compiled_.timestep_s <= longest_s * (1 + 1e-9)) {
+      return;
+    }
+    std::string kind(Name(binding_.assembly));
+    if (binding_.assembly == Assembly::kLoop) {
+      kind += " that the " + std::string(Name(lead)) + " leads";
+    }
+    Add("the time step is " + NumberText(compiled_.timestep_s) + " s, and the longest for a " +
+        kind + (is_rk4 ? " with RK4" : "") + " is " + NumberText(longest_s) +
+        " s: write <option timestep=\"0.002\" integrator=\"implicitfast\"/>");
+  }
+
+  // Driven joints, and of each what its servo's stiffness is [N m/rad].
+  [[nodiscard]] std::vector<const BoundServo*> Servos() const {
+    std::vector<const BoundServo*> servos;
+    for (const BoundServo& servo : binding_.servos) {
+      servos.push_back(&servo);
+    }
+    for (std::size_t i = 0; binding_.has_place_servos && i < binding_.place_servos.size(); ++i) {
+      servos.push_back(&binding_.place_servos[i]);
+    }
+    return servos;
+  }
+
+  [[nodiscard]] std::string JointName(const BoundServo& servo) const {
+    return "joint \"" +
+           std::string(model_.names + compiled_.name_jntadr[model_.dof_jntid[servo.dof_address]]) +
+           "\"";
+  }
+
+  static bool HasTerms(const mjtNum* polynomials, int element) {
+    return polynomials != nullptr && std::any_of(polynomials + kPolynomialTerms * element,
+                                                 polynomials + kPolynomialTerms * (element + 1),
+                                                 [](mjtNum term) { return term != 0; });
+  }
+
+  void CheckDamping() {
+    if (model_.Disables(model_.engine->disable_damper)) {
+      Add("the joints' damping, which the servos need, is disabled: write <flag "
+          "damper=\"enable\"/> in <option> (before MuJoCo 3.3.6 passive=\"enable\")");
+      return;
+    }
+    for (const BoundServo* const servo : Servos()) {
+      const double lag_s = model_.dof_damping[servo->dof_address] / servo->stiffness;
+      if (servo->stiffness > 0 && !(lag_s >= kShortestLag_s && lag_s <= kLongestLag_s)) {
+        Add(JointName(*servo) + " has damping " +
+            SignificantText(model_.dof_damping[servo->dof_address], 3) + " at a stiffness kp of " +
+            SignificantText(servo->stiffness, 3) + ": write damping=\"" +
+            SignificantText(kUsualLag_s * servo->stiffness, 3) + "\" there");
+        return;
+      }
+    }
+  }
+
+  // The first joint that has what only defaults of a parent give it; the line mends all.
+  void CheckSprings() {
+    for (const BoundServo* const servo : Servos()) {
+      const int dof = servo->dof_address;
+      const int joint = model_.dof_jntid[dof];
+      const bool curved_damping = HasTerms(compiled_.dof_dampingpoly, dof);
+      const bool curved_spring = HasTerms(compiled_.jnt_stiffnesspoly, joint);
+      const bool has_spring = curved_spring || compiled_.jnt_stiffness[joint] != 0;
+      const bool has_friction = compiled_.dof_frictionloss[dof] != 0;
+      if (!curved_damping && !has_spring && !has_friction) {
+        continue;
+      }
+      std::string what;
+      std::string line;
+      const auto note = [&](const char* name, const std::string& attribute) {
+        what += (what.empty() ? "" : " and ") + std::string(name);
+        line += " " + attribute;
+      };
+      if (curved_damping) {
+        note("nonlinear damping", "damping=\"0 0 0\"");
+      }
+      if (has_spring) {
+        note("stiffness", curved_spring ? "stiffness=\"0 0 0\"" : "stiffness=\"0\"");
+      }
+      if (has_friction) {
+        note("frictionloss", "frictionloss=\"0\"");
+      }
+      Add(JointName(*servo) + " has " + what +
+          ", which a parent's defaults may have given it: write <joint" + line +
+          "/> in <default class=\"girdle\">");
+      return;
+    }
+  }
+
+  // The ends of a tendon as sites, if it goes straight from the clavicle to the scapula.
+  struct Ends {
+    Vector3 on_clavicle_m;
+    Vector3 on_scapula_m;
+  };
+  [[nodiscard]] std::optional<Ends> EndsOf(int tendon) const {
+    const int first = compiled_.tendon_adr[tendon];
+    if (compiled_.tendon_num[tendon] != 2 ||
+        compiled_.wrap_type[first] != model_.engine->wrap_site ||
+        compiled_.wrap_type[first + 1] != model_.engine->wrap_site) {
+      return std::nullopt;
+    }
+    std::array<int, 2> sites = {compiled_.wrap_objid[first], compiled_.wrap_objid[first + 1]};
+    if (model_.site_bodyid[sites[0]] == binding_.scapula_body) {
+      std::swap(sites[0], sites[1]);
+    }
+    if (model_.site_bodyid[sites[0]] != binding_.clavicle_body ||
+        model_.site_bodyid[sites[1]] != binding_.scapula_body) {
+      return std::nullopt;
+    }
+    const auto place = [this](int site) {
+      const mjtNum* const p = model_.site_pos + 3 * site;
+      return OnSide(binding_.side, Vector3(p[0], p[1], p[2]));
+    };
+    return Ends{place(sites[0]), place(sites[1])};
+  }
+
+  // The longest that a ligament is where the rhythm goes [m], looked at so far apart.
+  [[nodiscard]] double LongestLength_m(const Ends& ends, double apart_rad) const {
+    const ArmRectangle& domain = rhythm_.rhythm().domain();
+    double longest_m = 0;
+    for (double plane_rad = domain.first_plane_rad; plane_rad <= domain.last_plane_rad;
+         plane_rad += apart_rad) {
+      for (double elevation_rad = domain.lowest_elevation_rad;
+           elevation_rad <= domain.highest_elevation_rad; elevation_rad += apart_rad) {
+        const Quaternion q_CS = rhythm_.SolvePose({elevation_rad, plane_rad}).q_CS;
+        longest_m = std::max(longest_m, glm::length(*binding_.p_CS_m + q_CS * ends.on_scapula_m -
+                                                    ends.on_clavicle_m));
+      }
+    }
+    return longest_m;
+  }
+
+  void CheckLigaments() {
+    constexpr double kFarApart_rad = 15 * kRadiansPerDegree;
+    for (int tendon = 0; binding_.p_CS_m && tendon < compiled_.ntendon; ++tendon) {
+      const std::optional<Ends> ends = EndsOf(tendon);
+      const double slack_m = compiled_.tendon_lengthspring[2 * tendon + 1];
+      if (!ends || compiled_.tendon_stiffness[tendon] <= 0 ||
+          LongestLength_m(*ends, kFarApart_rad) <= slack_m + kSlightStretch_m) {
+        continue;
+      }
+      const double longest_m = RoundedUpLength_m(LongestLength_m(*ends, kRadiansPerDegree));
+      const double tears_m = compiled_.tendon_range[2 * tendon + 1] + longest_m - slack_m;
+      const std::string name = model_.names + compiled_.name_tendonadr[tendon];
+      Add("tendon \"" + name + "\" is slack up to " + RoundedText(slack_m, kLengthDecimals) +
+          " m, and the rhythm takes its sites " + RoundedText(longest_m, kLengthDecimals) +
+          " m apart: write springlength=\"0 " + RoundedText(longest_m, kLengthDecimals) +
+          "\" range=\"0 " + RoundedText(tears_m, kLengthDecimals) + "\" there");
+    }
+  }
+
+  const CompiledView& compiled_;
+  const ModelView& model_;
+  const RhythmBinding& binding_;
+  const AssembledRhythm& rhythm_;
+  std::string faults_;
+};
+
+}  // namespace
+
+std::string ModelFaults(const CompiledView& compiled, const RhythmBinding& binding,
+                        const AssembledRhythm& rhythm) {
+  return FaultFinder(compiled, binding, rhythm).Find();
+}
+
+}  // namespace girdle
