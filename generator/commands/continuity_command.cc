@@ -30,6 +30,7 @@ namespace girdle {
 namespace {
 
 constexpr int kDigits = 2;
+constexpr int kStatedDigits = 4;  // of what is read as a number, not held against a limit
 
 struct ContinuityArguments {
   RhythmArguments rhythm;
@@ -73,9 +74,14 @@ std::string ChecksAsText(const std::vector<RhythmCheck>& checks) {
                      "result  where\n";
   for (const RhythmCheck& check : checks) {
     text += AlignedLeft(check.name, kNameWidth) +
-            AlignedRight(SignificantText(check.value, kDigits), kNumberWidth) +
-            AlignedRight(SignificantText(check.limit, kDigits), kNumberWidth) + "  " +
-            AlignedLeft(check.unit, kUnitWidth) + (check.passed() ? "pass    " : "FAIL    ") +
+            AlignedRight(SignificantText(check.value, check.is_stated() ? kStatedDigits : kDigits),
+                         kNumberWidth) +
+            AlignedRight(check.is_stated() ? "-" : SignificantText(check.limit, kDigits),
+                         kNumberWidth) +
+            "  " + AlignedLeft(check.unit, kUnitWidth) +
+            (!check.passed()     ? "FAIL    "
+             : check.is_stated() ? "stated  "
+                                 : "pass    ") +
             check.where + "\n";
   }
   return text;
@@ -123,7 +129,8 @@ std::string AsJson(const ShoulderRhythm& rhythm, const std::vector<Interpolation
   for (const RhythmCheck& check : checks) {
     json["checks"].push_back({{"name", check.name},
                               {"value", check.value},
-                              {"below", check.limit},
+                              {"below", check.is_stated() ? nlohmann::ordered_json(nullptr)
+                                                          : nlohmann::ordered_json(check.limit)},
                               {"unit", check.unit},
                               {"passed", check.passed()},
                               {"where", check.where}});

@@ -33,6 +33,7 @@ struct GenerateArguments {
   std::string assembly;
   std::string lead;
   std::string actuation;
+  std::string axial_from;
   AnatomyArguments anatomy;
   SkinArguments skin;
   std::string out;
@@ -59,8 +60,10 @@ ShoulderModelOptions ModelOptions(const GenerateArguments& arguments,
         "--thorax-contact: not known where the scapula leads, whose place it would push. Leave it "
         "away, or choose --lead clavicle");
   }
+  ChooseWord("--axial-from", arguments.axial_from, options.axial_from);
   for (const auto& [option, given] :
-       {std::pair("--offsets", arguments.offsets), std::pair("--rates", arguments.rates)}) {
+       {std::pair("--axial-from", !arguments.axial_from.empty()),
+        std::pair("--offsets", arguments.offsets), std::pair("--rates", arguments.rates)}) {
     if (given && options.actuation == Actuation::kPosition) {
       throw InputError(std::string(option) +
                        ": position servos are given joint angles and have no such command. Leave "
@@ -207,6 +210,8 @@ void AddGenerateCommand(CLI::App& program) {
                    "plugin (default: commands of elevation, plane and axial turn) or position (a "
                    "native position servo a coordinate, for where no plugin runs)")
       ->type_name("WORD");
+  AddAxialFromArgument(*verb, arguments->axial_from,
+                       "What the command axial is counted from (default rhythm)");
   AddRhythmArguments(*verb, arguments->rhythm);
   AddAnatomyArguments(*verb, arguments->anatomy);
   AddSkinArguments(*verb, arguments->skin);

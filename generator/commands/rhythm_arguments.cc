@@ -29,6 +29,14 @@ void AddTableArgument(CLI::App& verb, std::string& table) {
       ->type_name("WORD|FILE");
 }
 
+void AddAxialFromArgument(CLI::App& verb, std::string& axial_from, const std::string& what) {
+  verb.add_option("--axial-from", axial_from,
+                  what +
+                      ": rhythm (its own turn), isb (third angle of Y-X'-Y'') or swing (one "
+                      "humerus for a direction, straight up as well)")
+      ->type_name("WORD");
+}
+
 void AddRhythmArguments(CLI::App& verb, RhythmArguments& arguments) {
   AddTableArgument(verb, arguments.table);
   verb.add_option("--interpolation", arguments.interpolation,

@@ -22,6 +22,9 @@ struct RhythmArguments {
 
 void AddRhythmArguments(CLI::App& verb, RhythmArguments& arguments);
 
+/// `--axial-from`, for verbs that take an axial turn; `what` begins its help.
+void AddAxialFromArgument(CLI::App& verb, std::string& axial_from, const std::string& what);
+
 /// `--table` alone, for verbs that need no rhythm.
 void AddTableArgument(CLI::App& verb, std::string& table);
 

@@ -44,6 +44,7 @@ struct SimulateArguments {
   std::string frames_per_s;
   ViewArguments view;
   std::string side;
+  std::string axial_from;
   RhythmArguments rhythm;
   bool json = false;
 };
@@ -68,6 +69,10 @@ MotionRequest Requested(const SimulateArguments& arguments) {
   MotionRequest request;
   if (!arguments.side.empty()) {
     ChooseWord("--side", arguments.side, request.side.emplace());
+  }
+  request.axial_from = ChosenWord<AxialFrom>("--axial-from", arguments.axial_from);
+  if (request.axial_from && !arguments.motion) {
+    throw InputError("--axial-from belongs to the column axial_deg of a --motion. Leave it away");
   }
   if (arguments.motion) {
     if (arguments.plane || arguments.seconds) {
@@ -307,6 +312,8 @@ void AddSimulateCommand(CLI::App& program) {
   verb->add_option("--side", arguments->side,
                    "Which shoulder the trace is of (default: the model's, or the right of both)")
       ->type_name("right|left");
+  AddAxialFromArgument(*verb, arguments->axial_from,
+                       "What axial_deg of --motion is counted from (default: as the model does)");
   AddRhythmArguments(*verb, arguments->rhythm);
   AddPluginArgument(*verb, arguments->plugin);
   verb->add_flag("--json", arguments->json, "Summary as JSON");

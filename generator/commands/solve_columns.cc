@@ -56,7 +56,7 @@ Cell Rate(const SolvedRow& row, std::size_t k) {
 }
 
 // In the order of the output. Further columns are a line here.
-constexpr std::array<OutputColumns<SolvedRow, SolveAdditions>, 6> kSolveColumns = {{
+constexpr std::array<OutputColumns<SolvedRow, SolveAdditions>, 7> kSolveColumns = {{
     {AngleStems, kDegrees,
      [](const SolvedRow& row, std::size_t k) -> Cell {
        return DegreesFromRadians(row.angles_rad[k]);
@@ -69,6 +69,13 @@ constexpr std::array<OutputColumns<SolvedRow, SolveAdditions>, 6> kSolveColumns 
      }},
     {[](const SolveAdditions&) { return Stems{std::string(kOriginStem)}; }, kNoUnit,
      [](const SolvedRow& row, std::size_t) -> Cell { return Name(row.origin); }},
+    {[](const SolveAdditions&) {
+       return Stems{kUsedAxialNames.begin(), kUsedAxialNames.end()};
+     },
+     kDegrees,
+     [](const SolvedRow& row, std::size_t k) -> Cell {
+       return DegreesFromRadians(k == 0 ? row.used_axial_rad : row.used_axial_isb_rad);
+     }},
     {RateStems, kNoUnit, Rate},
     {PointStems, kMillimeters,
      [](const SolvedRow& row, std::size_t k) -> Cell {

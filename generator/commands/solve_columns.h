@@ -36,13 +36,17 @@ struct SolvedRow {
   bool clamped;
   double distance_rad;
   Origin origin;
+  double used_axial_rad;               ///< counted from the rhythm's own turn
+  double used_axial_isb_rad;           ///< ISB's third angle
   std::optional<ShoulderRates> rates;  ///< where they are asked for
   std::vector<ShoulderPoint> points;   ///< where they are asked for
 };
 
 /// Returns the columns in their order:
 ///
-/// Nine angles, `sc_protraction_deg` and so on; `clamped`, `distance_deg`, `origin`.
+/// Nine angles, `sc_protraction_deg` and so on; `clamped`, `distance_deg`, `origin`;
+/// `used_axial_deg`, the humerus's turn on top of the rhythm's own, and `used_axial_isb_deg`, ISB's
+/// third angle.
 ///
 /// With rates three columns a joint for each of elevation and plane, `sc_w_elevation_x` and so on:
 /// the angular velocity of the child in the parent, in the parent's axes [deg per deg].

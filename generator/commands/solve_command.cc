@@ -27,6 +27,7 @@
 #include "commands/shoulder_points.h"
 #include "commands/solve_columns.h"
 #include "commands/solve_rows.h"
+#include "commands/word_argument.h"
 #include "names/model_names.h"
 #include "text/input_error.h"
 #include "text/json_text.h"
@@ -47,6 +48,7 @@ struct SolveArguments {
   std::optional<std::string> elevation_deg;
   std::optional<std::string> plane_deg;
   std::optional<std::string> axial_deg;
+  std::string axial_from;
   std::optional<std::string> shrug_deg;
   std::optional<std::string> protraction_deg;
   std::optional<std::string> posture;
@@ -59,6 +61,7 @@ struct SolveArguments {
 };
 
 constexpr const char* kLandmarksKey = "landmarks_mm";
+constexpr const char* kAxialIsbKey = "axial_isb_deg";
 
 // A million positions; more belong into a file.
 constexpr std::uint64_t kMostSwept = 1'000'000;
@@ -73,11 +76,12 @@ struct TypedPose {
   double axial_deg;
   double shrug_deg;
   double protraction_deg;
+  AxialFrom axial_from;
 
   [[nodiscard]] ArmCommand command() const {
-    return {RadiansFromDegrees(elevation_deg), RadiansFromDegrees(plane_deg),
-            RadiansFromDegrees(axial_deg), RadiansFromDegrees(shrug_deg),
-            RadiansFromDegrees(protraction_deg)};
+    return {RadiansFromDegrees(elevation_deg),   RadiansFromDegrees(plane_deg),
+            RadiansFromDegrees(axial_deg),       RadiansFromDegrees(shrug_deg),
+            RadiansFromDegrees(protraction_deg), axial_from};
   }
 };
 
@@ -105,6 +109,17 @@ std::optional<double> ShrugArgument(const SolveArguments& arguments) {
 }
 std::optional<double> ProtractionArgument(const SolveArguments& arguments) {
   return OffsetArgument("--protraction", arguments.protraction_deg, kProtractionRange);
+}
+
+// Without an axial turn there is nothing to count.
+AxialFrom ChosenAxialFrom(const SolveArguments& arguments) {
+  const AxialFrom axial_from =
+      ChosenWord<AxialFrom>("--axial-from", arguments.axial_from).value_or(AxialFrom::kRhythm);
+  if (axial_from != AxialFrom::kRhythm && !arguments.axial_deg && arguments.in.empty()) {
+    throw InputError("--axial-from " + arguments.axial_from +
+                     ": no axial turn is given. Add --axial, or leave --axial-from away");
+  }
+  return axial_from;
 }
 
 double RequiredNumber(const std::string& option, const std::optional<std::string>& text) {
@@ -189,6 +204,7 @@ std::string PoseAsJson(const ShoulderRhythm& rhythm, const TypedPose& typed,
   json[kAxialColumn] = typed.axial_deg;
   json[kShrugColumn] = typed.shrug_deg;
   json[kProtractionColumn] = typed.protraction_deg;
+  json["axial_from"] = Name(typed.axial_from);
   json["interpolation"] = Name(rhythm.options().interpolation);
   json["closure"] = Name(rhythm.options().closure);
   json["range"] = Name(*rhythm.options().range);
@@ -202,6 +218,8 @@ std::string PoseAsJson(const ShoulderRhythm& rhythm, const TypedPose& typed,
   json["used"] = {{kElevationColumn, DegreesFromRadians(solution.used.elevation_rad)},
                   {kPlaneColumn, DegreesFromRadians(solution.used.plane_rad)},
                   {kAxialColumn, DegreesFromRadians(solution.used.axial_rad)},
+                  {kAxialIsbKey, DegreesFromRadians(rhythm.AxialOf(AxialFrom::kIsb, solution.pose,
+                                                                   solution.used))},
                   {kShrugColumn, DegreesFromRadians(solution.used.shrug_rad)},
                   {kProtractionColumn, DegreesFromRadians(solution.used.protraction_rad)}};
   json[ColumnName(kDistanceStem, kDegrees)] = DegreesFromRadians(solution.distance_rad);
@@ -279,7 +297,7 @@ std::string UsedAsText(const ShoulderRhythm& rhythm, const ArmCommand& given,
   if (is_other_plane) {
     add("plane", given.plane_rad, used.plane_rad);
   }
-  add("axial", given.axial_rad, used.axial_rad);
+  add("axial", rhythm.AxialCountedFrom(AxialFrom::kRhythm, given), used.axial_rad);
   add("shrug", given.shrug_rad, used.shrug_rad);
   add("protraction", given.protraction_rad, used.protraction_rad);
   return "clamped         the nearest that can be done is used: " + differing + "\n";
@@ -305,6 +323,12 @@ std::string PoseAsText(const ShoulderRhythm& rhythm, const TypedPose& typed,
     text += ", " + RoundedText(DegreesFromRadians(solution.distance_rad), kDecimals) +
             " deg from measured positions";
   }
+  text +=
+      "\naxial           " + RoundedText(DegreesFromRadians(solution.used.axial_rad), kDecimals) +
+      " deg from the rhythm's own turn, ISB " +
+      RoundedText(DegreesFromRadians(rhythm.AxialOf(AxialFrom::kIsb, solution.pose, solution.used)),
+                  kDecimals) +
+      " deg";
   text += "\n\n" + AnglesAsText(AnglesFromPose(solution.pose));
   if (additions.points_of) {
     text += PointsAsText(*additions.points_of, solution.pose);
@@ -320,7 +344,8 @@ void SolveOne(const SolveArguments& arguments) {
                            RequiredNumber("--plane", arguments.plane_deg),
                            NumberArgument("--axial", arguments.axial_deg.value_or("0")),
                            ShrugArgument(arguments).value_or(0),
-                           ProtractionArgument(arguments).value_or(0)};
+                           ProtractionArgument(arguments).value_or(0),
+                           ChosenAxialFrom(arguments)};
   const ShoulderRhythm rhythm = ChosenRhythm(arguments.rhythm);
   const ShoulderSolution solution = rhythm.Solve(typed.command());
   const SolveAdditions additions = ChosenAdditions(arguments);
@@ -336,8 +361,8 @@ void SolvePosture(const SolveArguments& arguments) {
                      ": not known. Choose one of: " + std::string(kRelaxedName));
   }
   if (arguments.elevation_deg || arguments.plane_deg || arguments.axial_deg ||
-      arguments.shrug_deg || arguments.protraction_deg || arguments.rates ||
-      !arguments.in.empty() || arguments.threads) {
+      !arguments.axial_from.empty() || arguments.shrug_deg || arguments.protraction_deg ||
+      arguments.rates || !arguments.in.empty() || arguments.threads) {
     throw InputError("--pose says all of the arm. Leave the other options of the arm away");
   }
   const ShoulderPose pose = HangingIn(RelaxedStanding(), ChosenRhythm(arguments.rhythm));
@@ -379,6 +404,7 @@ std::size_t ChosenThreads(const std::optional<std::string>& text) {
 RowOptions ChosenRowOptions(const SolveArguments& arguments) {
   RowOptions options;
   options.threads = ChosenThreads(arguments.threads);
+  options.axial_from = ChosenAxialFrom(arguments);
   options.shrug_deg = ShrugArgument(arguments);
   options.protraction_deg = ProtractionArgument(arguments);
   options.additions = ChosenAdditions(arguments);
@@ -471,8 +497,11 @@ void AddSolveCommand(CLI::App& program) {
                    "FROM:TO:STEP")
       ->type_name("DEG");
   verb->add_option("--axial", arguments->axial_deg,
-                   "Turn about the humerus's long axis on top of the measured one")
+                   "Turn about the humerus's long axis on top of the measured one, or as "
+                   "--axial-from says")
       ->type_name("DEG");
+  AddAxialFromArgument(*verb, arguments->axial_from,
+                       "What --axial or the column axial_deg is counted from (default rhythm)");
   verb->add_option("--shrug", arguments->shrug_deg,
                    "Clavicle raised beyond the rhythm, up to 35; down to -15")
       ->type_name("DEG");

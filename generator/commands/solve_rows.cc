@@ -67,6 +67,9 @@ ArmCommand CommandOf(const RowOptions& options) noexcept {
       command.*column.angle_rad = RadiansFromDegrees(*(options.*column.option_deg));
     }
   }
+  if (options.axial_deg) {
+    command.axial_from = options.axial_from;
+  }
   return command;
 }
 
@@ -113,6 +116,8 @@ class RowAnswers {
                     rhythm_.IsClamped(rows.commands[i], solved.used[i]),
                     solved.distances_rad[i],
                     solved.origins[i],
+                    solved.used[i].axial_rad,
+                    rhythm_.AxialOf(AxialFrom::kIsb, solved.poses[i], solved.used[i]),
                     std::nullopt,
                     {}};
       if (additions_.rates) {
@@ -154,6 +159,13 @@ class CsvInput {
         csv.Fail("the column " + std::string(column.name) + " and " + column.option +
                  " exclude each other. Remove one");
       }
+    }
+    if (csv.HasColumn(kAxialColumn)) {
+      unless_given_.axial_from = options.axial_from;
+    } else if (options.axial_from != AxialFrom::kRhythm && !options.axial_deg) {
+      csv.Fail("--axial-from " + std::string(Name(options.axial_from)) +
+               ": no axial turn is given. Add the column " + kAxialColumn +
+               " or --axial, or leave --axial-from away");
     }
   }
 

@@ -41,6 +41,7 @@ struct SweptPositions {
 struct RowOptions {
   /// In place of their columns, which must not be there then.
   std::optional<double> axial_deg;
+  AxialFrom axial_from = AxialFrom::kRhythm;  ///< what axial turns that are given are counted from
   std::optional<double> shrug_deg;
   std::optional<double> protraction_deg;
   SolveAdditions additions;

@@ -49,13 +49,13 @@ std::string CheckModel(const ModelFiles& files, const std::string& plugin) {
          std::to_string(model.nkey) + " keyframes";
 }
 
-Motion RequestedMotion(const MotionRequest& request) {
+Motion RequestedMotion(const MotionRequest& request, AxialFrom axial_from) {
   if (const auto* const reaching = std::get_if<ReachingRequest>(&request.motion)) {
     return ReachingMotion("raise", reaching->from, reaching->to, reaching->duration_s);
   }
   const std::string& path = std::get<MotionFile>(request.motion).path;
   std::ifstream in = OpenTextFile(path);
-  return ReadMotion(in, path);
+  return ReadMotion(in, path, axial_from);
 }
 
 double LargestError_deg(const ShoulderState& state) {
@@ -153,10 +153,15 @@ SimulationSummary Simulate(const std::string& model_path, const std::string& plu
                            const MotionRequest& request, const RhythmChoice& rhythm,
                            const TextSink& trace, const TextSink& controls,
                            const PictureRequest& pictures, const ProgressSink& progress) {
-  const Motion motion = RequestedMotion(request);
   const EngineWatch watch;
   LoadPlugin(plugin);
   ShoulderSimulation simulation = SimulationFor(model_path, request.side, rhythm);
+  const Motion asked =
+      RequestedMotion(request, request.axial_from.value_or(OwnAxialFrom(simulation.loaded())));
+  // The rates are those of the model's own commands.
+  const Motion motion = {asked.name, asked.duration_s, [&simulation, &asked](double time_s) {
+                           return simulation.AsModelCounts(asked.command(time_s));
+                         }};
   const double timestep_s = simulation.timestep_s();
   const auto steps = static_cast<long>(std::lround(motion.duration_s / timestep_s));
   const auto command_at = [&](long step) {
@@ -291,7 +296,9 @@ std::string KindOf(const ShoulderSimulation& simulation) {
   if (elements.assembly == Assembly::kLoop) {
     text += ", the " + std::string(Name(elements.lead)) + " leads";
   }
-  return text + (simulation.has_plugin() ? ", plugin" : ", position servos");
+  const AxialFrom axial_from = OwnAxialFrom(simulation.loaded());
+  return text + (simulation.has_plugin() ? ", plugin" : ", position servos") +
+         (axial_from == AxialFrom::kRhythm ? "" : ", axial from " + std::string(Name(axial_from)));
 }
 
 VerifyResult Verify(const std::string& model_path, const std::string& plugin,

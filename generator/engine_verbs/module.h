@@ -35,8 +35,10 @@ struct MotionFile {
 
 struct MotionRequest {
   std::variant<ReachingRequest, MotionFile> motion;
+  /// What axial turns of a file are counted from; nothing for what the model counts from.
+  std::optional<AxialFrom> axial_from = std::nullopt;
   /// Shoulder of the trace; nothing for the model's first.
-  std::optional<Side> side;
+  std::optional<Side> side = std::nullopt;
 };
 
 /// How far the joint of a loop opened.

@@ -11,6 +11,7 @@
 #include <string>
 #include <utility>
 
+#include "kinematics/axial_zero.h"
 #include "kinematics/clamped.h"
 #include "kinematics/euler_angles.h"
 #include "kinematics/humerus_rotation.h"
@@ -136,13 +137,15 @@ QuaternionOf<Jet<Pair, Order>> WithOffsetsOf(const QuaternionOf<Jet<Pair, Order>
   return offset;
 }
 
-// GH with its axial turn.
+// GH with its axial turn, which changes like `axial_rad` unless GH's range bounds it.
 template <int Order>
 QuaternionOf<Jet<double, Order>> WithAxialOf(const QuaternionOf<Jet<double, Order>>& q_SH,
-                                             const ArmCommand& used, const ArmCommand& wanted,
+                                             Jet<double, Order> axial_rad, const ArmCommand& used,
+                                             const ArmCommand& wanted,
                                              const JointRanges& ranges) noexcept {
-  if (used.axial_rad == 0) {
-    return q_SH;
+  if (used.axial_rad == wanted.axial_rad) {
+    axial_rad.part[kValue] = used.axial_rad;
+    return q_SH * AboutYOf(axial_rad);
   }
   const Jet<double, Order> angle_rad = EulerJets(EulerSequence::kXZY, q_SH)[2];
   return q_SH * AboutYOf(Added(angle_rad, used.axial_rad, wanted.axial_rad, ranges[kGhAxialIndex]) -
@@ -329,11 +332,95 @@ bool ShoulderRhythm::KeepsGhWithin(const ShoulderPose& pose,
   return true;
 }
 
+template <typename T>
+ArmDirectionOf<T> ShoulderRhythm::AskedDirection(const ArmDirectionOf<T>& direction,
+                                                 const ArmDirectionOf<T>& used) const noexcept {
+  ArmDirectionOf<T> asked = used;
+  const double elevation_rad = ValueOf(direction.elevation_rad);
+  if (!std::isnan(elevation_rad)) {
+    const double on_sphere_rad = std::clamp(elevation_rad, 0.0, kPi);
+    asked.elevation_rad =
+        on_sphere_rad == elevation_rad ? direction.elevation_rad : T(on_sphere_rad);
+  }
+  const double plane_rad = ValueOf(direction.plane_rad);
+  const double chart_rad = PlaneOnChart(plane_rad);
+  if (std::isfinite(chart_rad)) {
+    asked.plane_rad = T(chart_rad) + (direction.plane_rad - T(plane_rad));
+  }
+  return asked;
+}
+
+template <typename T>
+T ShoulderRhythm::ZeroOf(AxialFrom zero, const ArmDirectionOf<T>& asked,
+                         const ArmDirectionOf<T>& used, const T& tau_rad) const noexcept {
+  switch (zero) {
+    case AxialFrom::kIsb:
+      return asked.plane_rad + CarriedTurn(asked, used);
+    case AxialFrom::kSwing:
+      return SwingZero(used);
+    case AxialFrom::kRhythm:
+      break;
+  }
+  return tau_rad;
+}
+
+double ShoulderRhythm::WholeTurnOf(const ShoulderPose& pose,
+                                   const ArmDirectionOf<double>& used) const noexcept {
+  const Quaternion q_TH = pose.q_TH();
+  // With closure exact S is that of the direction, which has a turn straight up as well.
+  const Quaternion turn =
+      options_.closure == Closure::kTable
+          ? q_TH
+          : glm::conjugate(Plain(HumerusRotation(used.elevation_rad, used.plane_rad, 0.0))) * q_TH;
+  return std::remainder(TurnAboutY<double>({turn.w, turn.x, turn.y, turn.z}), 2 * kPi);
+}
+
+double ShoulderRhythm::AxialFromRhythm(const ArmCommand& command,
+                                       const ArmDirectionOf<double>& used) const noexcept {
+  if (command.axial_from == AxialFrom::kRhythm) {
+    return command.axial_rad;
+  }
+  const ShoulderPose rhythm = RhythmPoseFor(used.elevation_rad, used.plane_rad);
+  const double tau_rad = WholeTurnOf(rhythm, used);
+  const ArmDirectionOf<double> asked =
+      AskedDirection<double>({command.elevation_rad, command.plane_rad}, used);
+  const double zero_rad = ZeroOf(command.axial_from, asked, used, tau_rad);
+  // Of all whole turns the one that GH comes nearest to.
+  const double from_middle_rad = AnglesFromPose(rhythm)[kGhAxialIndex] - kGhAxialMiddle_rad;
+  return std::remainder(from_middle_rad + zero_rad + command.axial_rad - tau_rad, 2 * kPi) -
+         from_middle_rad;
+}
+
+double ShoulderRhythm::AxialCountedFrom(AxialFrom zero, const ArmCommand& command) const noexcept {
+  if (zero == command.axial_from) {
+    return command.axial_rad;
+  }
+  const ArmCommand within = WithinRange(command);
+  if (zero == AxialFrom::kRhythm) {
+    return within.axial_rad;
+  }
+  const ArmDirectionOf<double> used = {within.elevation_rad, within.plane_rad};
+  const ArmDirectionOf<double> asked =
+      AskedDirection<double>({command.elevation_rad, command.plane_rad}, used);
+  const double tau_rad = WholeTurnOf(RhythmPoseFor(used.elevation_rad, used.plane_rad), used);
+  return within.axial_rad + tau_rad - ZeroOf(zero, asked, used, tau_rad);
+}
+
+double ShoulderRhythm::AxialOf(AxialFrom zero, const ShoulderPose& pose,
+                               const ArmCommand& used) const noexcept {
+  const ArmDirectionOf<double> direction = {used.elevation_rad, used.plane_rad};
+  const double whole_rad = WholeTurnOf(pose, direction);
+  const double axial_rad =
+      whole_rad - ZeroOf(zero, direction, direction, whole_rad - used.axial_rad);
+  return std::remainder(axial_rad, 2 * kPi);
+}
+
 ArmCommand ShoulderRhythm::WithinRange(const ArmCommand& command) const noexcept {
   const ArmDirectionOf<double> used =
       UsedFor(ArmDirectionOf<double>{command.elevation_rad, command.plane_rad});
-  return {used.elevation_rad, used.plane_rad, FiniteOrZero(command.axial_rad),
-          FiniteOrZero(command.shrug_rad), FiniteOrZero(command.protraction_rad)};
+  const double axial_rad = std::isfinite(command.axial_rad) ? AxialFromRhythm(command, used) : 0.0;
+  return {used.elevation_rad, used.plane_rad, axial_rad, FiniteOrZero(command.shrug_rad),
+          FiniteOrZero(command.protraction_rad)};
 }
 
 // A turn about the humerus's own y comes last in X-Z'-Y'': it adds to GH's axial angle.
@@ -390,6 +477,12 @@ ShoulderPose ShoulderRhythm::SolvePose(const ArmCommand& command,
 
 bool ShoulderRhythm::IsClamped(const ArmCommand& command, const ArmCommand& used) const noexcept {
   ArmCommand same_plane = command;
+  if (command.axial_from != AxialFrom::kRhythm) {
+    same_plane.axial_rad = std::isfinite(command.axial_rad)
+                               ? AxialFromRhythm(command, {used.elevation_rad, used.plane_rad})
+                               : command.axial_rad;
+    same_plane.axial_from = AxialFrom::kRhythm;
+  }
   const bool is_hanging = command.elevation_rad == 0 && used.elevation_rad == 0;
   same_plane.plane_rad = is_hanging && std::isfinite(command.plane_rad)
                              ? used.plane_rad
@@ -425,27 +518,31 @@ ShoulderRhythm::Jets<Order> ShoulderRhythm::JetsFor(const ArmCommand& command) c
   const double elevation_rad = ValueOf(answer.elevation_rad);
   const double plane_rad = ValueOf(answer.plane_rad);
   ArmCommand used = command;
-  if (command.axial_rad != 0 || command.shrug_rad != 0 || command.protraction_rad != 0) {
+  ArmCommand wanted = command;
+  if (command.axial_rad != 0 || command.shrug_rad != 0 || command.protraction_rad != 0 ||
+      command.axial_from != AxialFrom::kRhythm) {
+    wanted = WithinRange(command);
     used = Solve(command).used;
   }
   Jets<Order> jets;
-  // Derivatives are by the elevation and plane used; the last step makes them those by the ones
-  // given.
+  Scalar tau_rad;
+  // Derivatives are by the elevation and plane used; chaining makes them those by the ones given.
   if (options_.closure == Closure::kExact) {
     const GirdleOf<Scalar> girdle = smooth()->Girdle<Scalar>(elevation_rad, plane_rad);
-    jets.q_TC_CS = WithOffsetsOf(girdle.q_TC_CS, used, command, ranges_);
+    jets.q_TC_CS = WithOffsetsOf(girdle.q_TC_CS, used, wanted, ranges_);
     Scalar theta(elevation_rad);
     Scalar psi(plane_rad);
     theta.part[kByElevation] = 1;
     psi.part[kByPlane] = 1;
     jets.q_SH = Inverse(Element(jets.q_TC_CS, 0) * Element(jets.q_TC_CS, 1)) *
                 HumerusRotation(theta, psi, girdle.turn_rad);
+    tau_rad = girdle.turn_rad;
   } else {
     const JointsOf<Scalar> joints = smooth()->Joints<Scalar>(elevation_rad, plane_rad);
-    jets.q_TC_CS = WithOffsetsOf(joints.q_TC_CS, used, command, ranges_);
+    jets.q_TC_CS = WithOffsetsOf(joints.q_TC_CS, used, wanted, ranges_);
     jets.q_SH = joints.q_SH;
+    tau_rad = TurnAboutY(Element(joints.q_TC_CS, 0) * Element(joints.q_TC_CS, 1) * joints.q_SH);
   }
-  jets.q_SH = WithAxialOf(jets.q_SH, used, command, ranges_);
   if (elevation_rad != command.elevation_rad || plane_rad != command.plane_rad) {
     const auto chain = [&answer](auto& q) {
       for (auto* component : {&q.w, &q.x, &q.y, &q.z}) {
@@ -454,6 +551,14 @@ ShoulderRhythm::Jets<Order> ShoulderRhythm::JetsFor(const ArmCommand& command) c
     };
     chain(jets.q_TC_CS);
     chain(jets.q_SH);
+    tau_rad = Chained(tau_rad, answer);
+  }
+  if (command.axial_from != AxialFrom::kRhythm && std::isfinite(command.axial_rad)) {
+    const Scalar zero_rad =
+        ZeroOf(command.axial_from, AskedDirection(direction, answer), answer, tau_rad);
+    jets.q_SH = WithAxialOf(jets.q_SH, zero_rad - tau_rad, used, wanted, ranges_);
+  } else if (used.axial_rad != 0) {
+    jets.q_SH = WithAxialOf(jets.q_SH, Scalar(used.axial_rad), used, wanted, ranges_);
   }
   return jets;
 }
@@ -502,8 +607,7 @@ std::optional<ShoulderRates> ShoulderRhythm::SolveRates(const ArmCommand& comman
   if (smooth() == nullptr) {
     return std::nullopt;
   }
-  if (measured_.Holds(command.elevation_rad, command.plane_rad) && command.axial_rad == 0 &&
-      command.shrug_rad == 0 && command.protraction_rad == 0) {
+  if (IsPlain(command)) {
     return PlainRates(command.elevation_rad, command.plane_rad);
   }
   const Jets<1> jets = JetsFor<1>(command);

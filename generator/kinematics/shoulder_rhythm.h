@@ -45,14 +45,28 @@ enum class Range {
   kClamp,  ///< the table's nearest point answers
 };
 
+/// What an axial turn is counted from: which humerus of a direction has axial 0 (axial_zero.h).
+enum class AxialFrom {
+  /// The rhythm's own humerus: exact closure's S Ry(tau), or the table's.
+  kRhythm,
+  /// ISB's third humerothoracic angle: q_TH = Y(plane) X(-elevation) Y(axial). As the plane it has
+  /// no meaning of its own hanging and straight up: there plane and axial mean something together.
+  kIsb,
+  /// The humerus with ISB's zero at elevation 90, plane 20, swung from there to the direction by
+  /// the smallest rotation: one humerus for a direction, hanging and straight up as well.
+  kSwing,
+};
+
 /// Words of the command line and of the plugin's configuration, in the order of the enumerators.
 inline constexpr std::array<std::string_view, 3> kInterpolationNames = {"smooth", "squad", "slerp"};
 inline constexpr std::array<std::string_view, 2> kClosureNames = {"exact", "table"};
 inline constexpr std::array<std::string_view, 2> kRangeNames = {"whole", "clamp"};
+inline constexpr std::array<std::string_view, 3> kAxialFromNames = {"rhythm", "isb", "swing"};
 
 constexpr const auto& WordsOf(Interpolation /*which*/) noexcept { return kInterpolationNames; }
 constexpr const auto& WordsOf(Closure /*which*/) noexcept { return kClosureNames; }
 constexpr const auto& WordsOf(Range /*which*/) noexcept { return kRangeNames; }
+constexpr const auto& WordsOf(AxialFrom /*which*/) noexcept { return kAxialFromNames; }
 
 /// The method as published is {kSquad, kTable}.
 struct RhythmOptions {
@@ -70,9 +84,10 @@ struct ArmCommand {
   double elevation_rad = 0;  ///< angle between humerus and hanging down, [0, pi]
   double plane_rad = 0;      ///< 0 frontal, pi/2 sagittal
   double axial_rad =
-      0;  ///< turn about the humerus's own long axis on top of the measured one, internal +
+      0;  ///< turn about the humerus's own long axis, counted from `axial_from`, internal +
   double shrug_rad = 0;        ///< clavicle raised beyond the rhythm, up +
   double protraction_rad = 0;  ///< clavicle protracted beyond the rhythm, forward +
+  AxialFrom axial_from = AxialFrom::kRhythm;
 
   [[nodiscard]] bool operator==(const ArmCommand&) const noexcept = default;
 };
@@ -90,7 +105,7 @@ constexpr const auto& WordsOf(Origin /*which*/) noexcept { return kOriginNames; 
 struct ShoulderSolution {
   ShoulderPose pose;
   /// The command that the pose answers: the nearest in the range and, for axial, shrug and
-  /// protraction, in the joints' ranges.
+  /// protraction, in the joints' ranges. Its axial turn is counted from the rhythm's own.
   ArmCommand used;
   /// ShoulderRhythm::IsClamped of the two.
   bool clamped;
@@ -159,7 +174,14 @@ class ShoulderRhythm {
   /// Returns the pose for a command. Total: the plane is an angle, so that whole turns do not
   /// matter; a direction outside the range is answered by ArmReach::AnswerTo, with the range clamp
   /// by the nearest elevation and plane; a NaN, and a plane that is not finite, counts as the
-  /// lowest elevation or plane, and an axial turn or offset that is not finite as none.
+  /// lowest elevation or plane, and an axial turn or offset that is not finite as none: the
+  /// rhythm's own.
+  ///
+  /// Where a direction is answered by another one, an axial turn from the rhythm's or the swing's
+  /// zero stays the number that it is, and one from ISB's is carried: the humerus that was asked
+  /// for is taken to the direction that answers by the smallest rotation. Of the turns that differ
+  /// by 360 deg, one from ISB's or the swing's zero is that for which GH's axial coordinate is
+  /// within half a turn of kGhAxialMiddle_rad.
   ///
   /// With squad or slerp: equations (4) to (12). Offsets turn the clavicle's angles; the scapula
   /// keeps its place on the clavicle, and with closure exact the arm its direction.
@@ -168,6 +190,17 @@ class ShoulderRhythm {
   /// The pose alone, in less time; `used` takes the command that it answers.
   [[nodiscard]] ShoulderPose SolvePose(const ArmCommand& command,
                                        ArmCommand* used = nullptr) const noexcept;
+
+  /// The axial turn that a command asks for [rad], counted from another zero where the command is
+  /// answered: ISB's from the plane of the command, the others from the direction that answers it.
+  [[nodiscard]] double AxialCountedFrom(AxialFrom zero, const ArmCommand& command) const noexcept;
+
+  /// The axial turn that a pose has [rad], in [-pi, pi], counted from a zero; `used` is the command
+  /// that the pose answers. With closure exact and kIsb it is the third angle Y-X'-Y'' of q_TH.
+  /// With closure table the arm may point beside where it was told to; the zero is then the one of
+  /// where it was told to, and turns are those that are left when S of axial_zero.h is taken away.
+  [[nodiscard]] double AxialOf(AxialFrom zero, const ShoulderPose& pose,
+                               const ArmCommand& used) const noexcept;
 
   /// Whether a command that is answered with the one used is clamped: another direction, turn or
   /// offset than the one given. Planes a whole turn apart are one, and hanging all are.
@@ -225,8 +258,26 @@ class ShoulderRhythm {
   /// Whether WithinRange would change nothing, for most commands within the table.
   [[nodiscard]] bool IsPlain(const ArmCommand& command) const noexcept {
     return measured_.Holds(command.elevation_rad, command.plane_rad) && command.axial_rad == 0 &&
-           command.shrug_rad == 0 && command.protraction_rad == 0;
+           command.shrug_rad == 0 && command.protraction_rad == 0 &&
+           command.axial_from == AxialFrom::kRhythm;
   }
+  /// The direction asked for as one of the sphere: an elevation in [0, pi], the plane on the chart;
+  /// `used` where a number is not finite.
+  template <typename T>
+  [[nodiscard]] ArmDirectionOf<T> AskedDirection(const ArmDirectionOf<T>& direction,
+                                                 const ArmDirectionOf<T>& used) const noexcept;
+  /// T_0 of axial_zero.h for a direction that is asked for and the one that answers it, at which
+  /// the rhythm's own turn is tau [rad].
+  template <typename T>
+  [[nodiscard]] T ZeroOf(AxialFrom zero, const ArmDirectionOf<T>& asked,
+                         const ArmDirectionOf<T>& used, const T& tau_rad) const noexcept;
+  /// The whole turn of a pose for a direction [rad], in [-pi, pi].
+  [[nodiscard]] double WholeTurnOf(const ShoulderPose& pose,
+                                   const ArmDirectionOf<double>& used) const noexcept;
+  /// Of a command whose axial turn is finite, counted from the rhythm's own [rad].
+  [[nodiscard]] double AxialFromRhythm(const ArmCommand& command,
+                                       const ArmDirectionOf<double>& used) const noexcept;
+  /// The direction that answers; the axial turn is counted from the rhythm's own.
   [[nodiscard]] ArmCommand WithinRange(const ArmCommand& command) const noexcept;
   /// The pose for a command within the range; bounds its axial turn and offsets.
   [[nodiscard]] ShoulderPose PoseFor(ArmCommand& used) const noexcept;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "kinematics/knot_crossings.h"
 #include "mjcf/model_sections.h"
 
 #include <algorithm>
@@ -18,9 +19,34 @@ constexpr double kTranslationTrimRange_m = 0.03;
 // No arm is faster: a pitcher's humerus turns at 120 rad/s.
 constexpr double kFastestCommand_rad_per_s = 150;
 
+// From the least to the largest axial turn that the joint's range allows anywhere, on a grid of 1
+// deg, and all of ISB's angles, which whole turns do not change: what is too much at a place the
+// rhythm bounds there.
+CoordinateRange AxialRangeFrom(AxialFrom zero, const ModelPlan& plan) {
+  const ShoulderRhythm& rhythm = plan.rhythm();
+  const ArmRectangle& domain = rhythm.domain();
+  const CoordinateRange& joint = plan.anatomy.ranges[kGhAxialIndex];
+  CoordinateRange range{-kPi, kPi};
+  for (const double elevation_rad :
+       EvenSteps(domain.lowest_elevation_rad, domain.highest_elevation_rad)) {
+    for (const double plane_rad :
+         EvenSteps(rhythm.LowestPlaneAt(elevation_rad), domain.last_plane_rad)) {
+      const ArmCommand own = {elevation_rad, plane_rad};
+      const double from_joint_rad =
+          rhythm.AxialCountedFrom(zero, own) - AnglesFromPose(rhythm.SolvePose(own))[kGhAxialIndex];
+      range.lower_rad = std::min(range.lower_rad, joint.lower_rad + from_joint_rad);
+      range.upper_rad = std::max(range.upper_rad, joint.upper_rad + from_joint_rad);
+    }
+  }
+  return range;
+}
+
 // The axial turns that keep the table's own GH within its range at every position. Where closure
 // has turned GH further the rhythm bounds them by the joint's range.
 CoordinateRange AxialRange(const ModelPlan& plan) {
+  if (plan.options.axial_from != AxialFrom::kRhythm) {
+    return AxialRangeFrom(plan.options.axial_from, plan);
+  }
   const RhythmTable& table = plan.rhythm().table();
   double lowest_rad = table.position(0, 0).angles_rad[kGhAxialIndex];
   double highest_rad = lowest_rad;

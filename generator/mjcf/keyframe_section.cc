@@ -43,7 +43,7 @@ void AppendServoControls(const ModelPlan& plan, std::vector<double>& controls,
 void AppendPluginControls(const ModelPlan& plan, std::vector<double>& controls,
                           const ArmCommand& command, const ShoulderPose& target,
                           const ShoulderPose& pose) {
-  controls.insert(controls.end(), {command.elevation_rad, command.plane_rad, 0});
+  controls.insert(controls.end(), {command.elevation_rad, command.plane_rad, command.axial_rad});
   controls.resize(controls.size() + (plan.options.has_offsets ? kOffsetCount : 0) +
                   (plan.options.has_rates ? kRateCount : 0));
   const JointAngles target_rad = DrivenAngles(plan.options.assembly, target);
@@ -69,7 +69,13 @@ void WriteKeyframes(const ModelPlan& plan, XmlElement root) {
     if (named.name != kRestName && solution.clamped) {
       continue;
     }
-    const ShoulderPose target = plan.assembled.SolvePose(solution.used);
+    // Controls of zero lead to rest; the others have the rhythm's own turn.
+    ArmCommand command = solution.used;
+    command.axial_rad = named.name == kRestName
+                            ? 0
+                            : plan.rhythm().AxialCountedFrom(plan.options.axial_from, command);
+    command.axial_from = plan.options.axial_from;
+    const ShoulderPose target = plan.assembled.SolvePose(command);
     const ShoulderPose pose =
         named.name == kRelaxedName ? HangingIn(RelaxedStanding(), plan.rhythm()) : target;
     std::vector<double> positions;
@@ -77,7 +83,7 @@ void WriteKeyframes(const ModelPlan& plan, XmlElement root) {
     for (std::size_t side = 0; side < plan.sides.size(); ++side) {
       AppendPositions(plan, positions, pose);
       if (plan.has_plugin()) {
-        AppendPluginControls(plan, controls, solution.used, target, pose);
+        AppendPluginControls(plan, controls, command, target, pose);
       } else {
         AppendServoControls(plan, controls, pose);
       }

@@ -22,9 +22,11 @@ void CheckOptions(const ModelPlan& plan) {
   if (options.has_rates && plan.is_loop()) {
     throw std::invalid_argument("rate commands need the assembly tree");
   }
-  if (!plan.has_plugin() && (options.has_offsets || options.has_rates)) {
+  if (!plan.has_plugin() &&
+      (options.has_offsets || options.has_rates || options.axial_from != AxialFrom::kRhythm)) {
     throw std::invalid_argument(
-        "commands for offsets and rates need the plugin: position servos are given joint angles");
+        "commands for offsets, rates and axial turns need the plugin: position servos are given "
+        "joint angles");
   }
   if (!plan.is_loop() && options.lead != Lead::kClavicle) {
     throw std::invalid_argument("in a tree nothing but the clavicle can lead");
@@ -85,7 +87,7 @@ ModelPlan::ModelPlan(const Anatomy& model_anatomy, const ShoulderRhythm& rhythm,
       assembled(rhythm, model_options.assembly),
       sides(SidesOf(model_options.sides)),
       coordinates(DrivenCoordinates(model_options.assembly)),
-      rest(assembled.SolvePose({})),
+      rest(assembled.SolvePose({.axial_from = model_options.axial_from})),
       rest_rad(DrivenAngles(model_options.assembly, rest)) {
   CheckOptions(*this);
   CheckTable(*this);

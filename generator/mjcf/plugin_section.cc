@@ -21,6 +21,9 @@ void WriteInstance(const ModelPlan& plan, XmlElement plugin, Side side) {
   configure(kInterpolationKey, Name(plan.rhythm().options().interpolation));
   configure(kClosureKey, Name(plan.rhythm().options().closure));
   configure(kRangeKey, Name(*plan.rhythm().options().range));
+  if (plan.options.axial_from != AxialFrom::kRhythm) {
+    configure(kAxialFromKey, Name(plan.options.axial_from));
+  }
   if (plan.options.table) {
     configure(kTableKey, Name(*plan.options.table));
   }

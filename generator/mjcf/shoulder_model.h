@@ -52,6 +52,8 @@ struct ShoulderModelOptions {
   Assembly assembly = Assembly::kTree;
   Lead lead = Lead::kClavicle;  ///< of a loop
   Actuation actuation = Actuation::kPlugin;
+  /// What the command for the axial turn is counted from; for kPlugin.
+  AxialFrom axial_from = AxialFrom::kRhythm;
   /// Which built-in table the rhythm's is; nothing writes it into the plugin's configuration.
   std::optional<BuiltInTable> table = BuiltInTable::kDestepped;
   /// With commands for shrug and protraction; for kPlugin.

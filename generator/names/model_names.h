@@ -27,6 +27,8 @@ inline constexpr const char* kInterpolationKey =
     "interpolation";                                   ///< a word of kInterpolationNames
 inline constexpr const char* kClosureKey = "closure";  ///< a word of kClosureNames
 inline constexpr const char* kRangeKey = "range";      ///< a word of kRangeNames
+inline constexpr const char* kAxialFromKey =
+    "axial_from";  ///< a word of kAxialFromNames; rhythm if absent
 inline constexpr const char* kTableKey =
     "table";  ///< a word of kBuiltInTableNames or RhythmTableToLine; DefaultTable if absent
 inline constexpr const char* kStiffnessKey =
@@ -42,6 +44,9 @@ inline constexpr std::size_t kRateCount = 3;
 /// Stems of the command actuators, in the order of ArmCommand [rad].
 inline constexpr std::array<std::string_view, kCommandCount> kCommandNames = {"elevation", "plane",
                                                                               "axial"};
+/// Stems of columns with the axial turn of the command used, counted from the rhythm's own and as
+/// ISB's third angle.
+inline constexpr std::array<std::string_view, 2> kUsedAxialNames = {"used_axial", "used_axial_isb"};
 /// Stems of those that a model may have beside them: offsets of the clavicle [rad] ...
 inline constexpr std::array<std::string_view, kOffsetCount> kOffsetNames = {"shrug", "protraction"};
 /// ... and how fast the commands change [rad/s], for velocity feed-forward.
@@ -65,14 +70,18 @@ inline constexpr std::string_view kRhythmName = "rhythm";
 /// What the plugin's sensor holds, all in radians.
 namespace sensor_layout {
 inline constexpr std::size_t kCommanded =
-    0;  ///< elevation, plane, axial as used: within the controls' and the rhythm's ranges
+    0;  ///< elevation, plane, axial as used: within the controls' and the rhythm's ranges; axial
+        ///< counted from the rhythm's own turn, whatever the control is counted from
 inline constexpr std::size_t kReached =
     kCommanded + kCommandCount;  ///< the same of the simulated humerus
 inline constexpr std::size_t kTarget = kReached + kCommandCount;   ///< nine joint targets
 inline constexpr std::size_t kError = kTarget + kCoordinateCount;  ///< nine, target minus position
 inline constexpr std::size_t kDistance =
     kError + kCoordinateCount;  ///< of the command from measured data
-inline constexpr std::size_t kSize = kDistance + 1;
+/// ISB's third angle Y-X'-Y'' of the humerus, as commanded and of the simulated one.
+inline constexpr std::size_t kCommandedIsb = kDistance + 1;
+inline constexpr std::size_t kReachedIsb = kCommandedIsb + 1;
+inline constexpr std::size_t kSize = kReachedIsb + 1;
 }  // namespace sensor_layout
 
 /// Stem of the equality that holds the AC joint together in the assembly loop.

@@ -44,7 +44,8 @@ std::unique_ptr<RhythmController> MakeController(const mjModel* model, int insta
       {ConfigText(model, instance, kInterpolationKey), ConfigText(model, instance, kClosureKey),
        ConfigText(model, instance, kRangeKey), ConfigText(model, instance, kTableKey),
        ConfigText(model, instance, kStiffnessKey), ConfigText(model, instance, kSideKey),
-       ConfigText(model, instance, kTranslationStiffnessKey)});
+       ConfigText(model, instance, kTranslationStiffnessKey),
+       ConfigText(model, instance, kAxialFromKey)});
   return std::make_unique<RhythmController>(ViewOf(*model, *layout), instance, config);
 }
 
@@ -161,8 +162,8 @@ void Register() {
   }
   registry = new ControllerRegistry;
   static const char* const kAttributes[] = {
-      kInterpolationKey,       kClosureKey, kRangeKey, kTableKey, kStiffnessKey, kSideKey,
-      kTranslationStiffnessKey};
+      kInterpolationKey,        kClosureKey,  kRangeKey, kTableKey, kStiffnessKey, kSideKey,
+      kTranslationStiffnessKey, kAxialFromKey};
   mjpPlugin plugin;
   engine.default_plugin(&plugin);
   plugin.name = kPluginName;

@@ -39,7 +39,9 @@ AssembledRhythm BoundRhythm(const RhythmConfig& config, const RhythmBinding& bin
 }  // namespace
 
 RhythmController::RhythmController(const ModelView& model, int instance, const RhythmConfig& config)
-    : binding_(BindRhythm(model, instance, config)), rhythm_(BoundRhythm(config, binding_)) {
+    : binding_(BindRhythm(model, instance, config)),
+      rhythm_(BoundRhythm(config, binding_)),
+      axial_from_(config.axial_from) {
   SolveAim(solved_command_);
 }
 
@@ -47,6 +49,7 @@ void RhythmController::SolveAim(const ArmCommand& command) noexcept {
   solved_command_ = command;
   const ShoulderPose pose = rhythm_.SolvePose(command, &solved_.used);
   solved_.target_rad = DrivenAngles(rhythm_.assembly(), pose);
+  solved_.axial_isb_rad = rhythm_.rhythm().AxialOf(AxialFrom::kIsb, pose, solved_.used);
   if (binding_.has_place_servos) {
     solved_.target_p_TS_m = binding_.p_TC_m + pose.q_TC * *binding_.p_CS_m;
   }
@@ -56,7 +59,7 @@ ArmCommand RhythmController::ReadCommand(const ModelView& model,
                                          const DataView& data) const noexcept {
   return {binding_.commands[0].Read(model, data), binding_.commands[1].Read(model, data),
           binding_.commands[2].Read(model, data), binding_.commands[3].Read(model, data),
-          binding_.commands[4].Read(model, data)};
+          binding_.commands[4].Read(model, data), axial_from_};
 }
 
 bool RhythmController::FirstMisses(const DataView& data) noexcept {
@@ -82,7 +85,7 @@ const RhythmController::Aim& RhythmController::AimFor(const ModelView& model,
   }
   if (!IsNumber(command)) {
     const ArmAngles reached = Reached(data);
-    holding_ = {{reached.elevation_rad, reached.plane_rad}, {}, {0, 0, 0}, true};
+    holding_ = {{reached.elevation_rad, reached.plane_rad}, {}, {0, 0, 0}, reached.axial_rad, true};
     for (std::size_t k = 0; k < kCoordinateCount; ++k) {
       holding_.target_rad[k] = data.qpos[binding_.servos[k].qpos_address];
     }
@@ -114,7 +117,7 @@ JointAngles RhythmController::TargetRates(const ModelView& model, const DataView
     }
   }
   // At the end of its range the humerus does not turn further.
-  if (aim.used.axial_rad == command.axial_rad) {
+  if (aim.used.axial_rad == rhythm_.rhythm().AxialCountedFrom(AxialFrom::kRhythm, command)) {
     rates[kGhAxialIndex] += axial_rate;
   }
   return rates;
@@ -157,6 +160,7 @@ void RhythmController::Sense(const ModelView& model, const DataView& data) noexc
     mjtNum* values = data.sensordata + sensor.address;
     values[sensor_layout::kReached] = sensor.Cut(reached.elevation_rad);
     values[sensor_layout::kReached + 1] = sensor.Cut(reached.plane_rad);
+    values[sensor_layout::kReachedIsb] = sensor.Cut(reached.axial_rad);
   }
 }
 
@@ -178,6 +182,7 @@ void RhythmController::WriteSensors(const DataView& data, const Aim& aim) const 
     // coordinate is still missing.
     values[sensor_layout::kReached + 2] = sensor.Cut(aim.used.axial_rad - error_rad);
     values[sensor_layout::kDistance] = sensor.Cut(distance_rad);
+    values[sensor_layout::kCommandedIsb] = sensor.Cut(aim.axial_isb_rad);
   }
 }
 
@@ -199,6 +204,7 @@ bool RhythmController::SensorsShow(const DataView& data, const Aim& aim) const n
                values[sensor_layout::kCommanded + 1] == sensor.Cut(aim.used.plane_rad) &&
                values[sensor_layout::kCommanded + 2] == sensor.Cut(aim.used.axial_rad) &&
                values[sensor_layout::kDistance] == sensor.Cut(distance_rad) &&
+               values[sensor_layout::kCommandedIsb] == sensor.Cut(aim.axial_isb_rad) &&
                std::equal(
                    aim.target_rad.begin(), aim.target_rad.end(), values + sensor_layout::kTarget,
                    [&sensor](double target, mjtNum value) { return value == sensor.Cut(target); });

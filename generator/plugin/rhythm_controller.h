@@ -4,9 +4,9 @@
 /// The plugin's logic: joint servos whose targets follow commands through the shoulder rhythm.
 ///
 /// One instance of `girdle.rhythm` is shared by the actuators of a shoulder. Commands have gear 0:
-/// elevation, plane and axial [rad]; a model may add shrug and protraction [rad], and how fast the
-/// first three change, elevation_rate, plane_rate and axial_rate [rad/s]. Nine are servos, one a
-/// hinge:
+/// elevation, plane and axial [rad], the last counted from what the configuration says; a model may
+/// add shrug and protraction [rad], and how fast the first three change, elevation_rate, plane_rate
+/// and axial_rate [rad/s]. Nine are servos, one a hinge:
 ///
 ///     force = kp (target + trim - q) + damping (d target / dt)
 ///
@@ -55,8 +55,9 @@ class RhythmController {
   struct Aim {
     ArmCommand used;
     JointAngles target_rad;
-    Vector3 target_p_TS_m;  ///< place of PAC, where that is driven
-    bool holds = false;     ///< there is no command: the joints stay where they are
+    Vector3 target_p_TS_m;     ///< place of PAC, where that is driven
+    double axial_isb_rad = 0;  ///< ISB's third angle of the humerus aimed at
+    bool holds = false;        ///< there is no command: the joints stay where they are
   };
 
   void SolveAim(const ArmCommand& command) noexcept;
@@ -73,6 +74,7 @@ class RhythmController {
 
   RhythmBinding binding_;
   AssembledRhythm rhythm_;
+  AxialFrom axial_from_;
 
   /// The last command solved and its aim. Not state: the same command always has the same aim. It
   /// spares the servos what the sensor has computed in the same step.

@@ -86,7 +86,9 @@ RhythmConfig ParseRhythmConfig(const RhythmConfigText& text) {
   if (!text.table.empty()) {
     rhythm.table = TableFromWordOrLine(text.table, "config key \"" + std::string(kTableKey) + "\"");
   }
-  return {std::move(rhythm), stiffness, side, translation_stiffness_N_per_m};
+  const AxialFrom axial_from =
+      Chosen<AxialFrom>(kAxialFromKey, text.axial_from).value_or(AxialFrom::kRhythm);
+  return {std::move(rhythm), stiffness, side, translation_stiffness_N_per_m, axial_from};
 }
 
 }  // namespace girdle

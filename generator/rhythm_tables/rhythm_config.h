@@ -21,6 +21,7 @@ struct RhythmConfigText {
   std::string stiffness;
   std::string side{};
   std::string translation_stiffness{};
+  std::string axial_from{};
 };
 
 struct RhythmConfig {
@@ -28,6 +29,7 @@ struct RhythmConfig {
   std::array<double, kCoordinateCount> stiffness_N_m_per_rad;  ///< in the order of kCoordinateNames
   Side side = Side::kRight;
   double translation_stiffness_N_per_m = 0;
+  AxialFrom axial_from = AxialFrom::kRhythm;  ///< of the command axial
 };
 
 /// Returns the validated configuration. Throws InputError that names key, value and the fix.

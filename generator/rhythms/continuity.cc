@@ -144,6 +144,7 @@ class Checker {
     if (is_whole_) {
       AddBorderJumps();
       AddSingleValues();
+      AddSpins();
     }
     AddGrid();
     return std::move(checks_);
@@ -196,6 +197,31 @@ class Checker {
     checks_.push_back(CheckOf(over_planes.first(),
                               "jump of velocity where the table ends, over planes", kFirst,
                               "deg/deg"));
+  }
+
+  // Straight up every plane is the same direction, but the rhythm's own humerus turns with it.
+  // Counted from the swing's zero an axial turn is one humerus.
+  void AddSpins() {
+    constexpr double kStated = std::numeric_limits<double>::infinity();
+    constexpr double kSame_deg = 1e-9;
+    const auto humerus = [this](const ArmCommand& command) { return pose_(command).q_TH(); };
+    const double end_rad = std::clamp(kPi / 2, planes_.front(), planes_.back());
+    Largest own;
+    own.Add(DegreesFromRadians(AngleBetween(humerus({kPi, 0}), humerus({kPi, end_rad}))), kPi,
+            end_rad);
+    checks_.push_back(CheckOf(own, "humerus at 180, turned from plane 0", kStated, "deg"));
+    ArmCommand middle = {kPi, (planes_.front() + planes_.back()) / 2};
+    middle.axial_rad = rhythm_.AxialCountedFrom(AxialFrom::kSwing, middle);
+    middle.axial_from = AxialFrom::kSwing;
+    const Quaternion q_TH = humerus(middle);
+    Largest swung;
+    for (const double plane_rad : planes_) {
+      ArmCommand other = middle;
+      other.plane_rad = plane_rad;
+      swung.Add(DegreesFromRadians(AngleBetween(humerus(other), q_TH)), kPi, plane_rad);
+    }
+    checks_.push_back(
+        CheckOf(swung, "the same with axial from swing, plane to plane", kSame_deg, "deg"));
   }
 
   // Hanging and straight up the plane has no meaning: bones are where they are for plane 0.

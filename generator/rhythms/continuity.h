@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -29,16 +30,17 @@ struct InterpolationJumps {
   std::array<JumpSummary, kJointCount> joints;
 };
 
-/// Something that a rhythm keeps.
+/// Something that a rhythm keeps, or a number that is only stated.
 struct RhythmCheck {
   std::string name;
   double value = 0;
-  double limit = 0;
+  double limit = 0;  ///< infinite for what is stated
   std::string unit;
   std::string where;  ///< the worst case
 
   /// A value that is not a number does not pass.
   [[nodiscard]] bool passed() const noexcept { return value < limit; }
+  [[nodiscard]] bool is_stated() const noexcept { return std::isinf(limit); }
 };
 
 /// Returns the jumps of slerp, squad and smooth in both directions, each with closure table on the
@@ -47,7 +49,8 @@ struct RhythmCheck {
 
 /// Returns what a rhythm keeps over all that it answers, looked at on a grid of 1 deg: with smooth,
 /// jumps inside the table; with the range whole, jumps at the table's borders and where the rule
-/// changes its form, one value at elevations 0 and 180, how fast bones turn; with closure exact,
+/// changes its form, one value at elevations 0 and 180, the humerus's spin at 180 and that it has
+/// none with axial turns from the swing's zero, how fast bones turn; with closure exact,
 /// commanded minus reached; always, how far joints are out of `ranges`.
 [[nodiscard]] std::vector<RhythmCheck> MeasureChecks(const ShoulderRhythm& rhythm,
                                                      const JointRanges& ranges);

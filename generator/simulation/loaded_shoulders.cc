@@ -94,6 +94,15 @@ RhythmChoice OwnChoice(const LoadedShoulders& shoulders) {
   return ParseRhythmConfig(text).rhythm;
 }
 
+AxialFrom OwnAxialFrom(const LoadedShoulders& shoulders) {
+  if (!shoulders.has_plugin()) {
+    return AxialFrom::kRhythm;
+  }
+  RhythmConfigText text;
+  text.axial_from = OwnConfigText(shoulders, kAxialFromKey);
+  return ParseRhythmConfig(text).axial_from;
+}
+
 AssembledRhythm OwnRhythm(const LoadedShoulders& shoulders) {
   const JointRanges& ranges = shoulders.ranges();
   return {MakeRhythm(Resolve(OwnChoice(shoulders)), ranges),

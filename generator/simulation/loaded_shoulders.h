@@ -57,6 +57,10 @@ class LoadedShoulders {
 /// nothing.
 [[nodiscard]] RhythmChoice OwnChoice(const LoadedShoulders& shoulders);
 
+/// Returns what the model's command for the axial turn is counted from; the rhythm's own turn where
+/// there is no such command.
+[[nodiscard]] AxialFrom OwnAxialFrom(const LoadedShoulders& shoulders);
+
 /// Returns the rhythm that OwnChoice stands for, as the assembly of the model follows it.
 [[nodiscard]] AssembledRhythm OwnRhythm(const LoadedShoulders& shoulders);
 

@@ -17,9 +17,12 @@ namespace {
 
 ArmCommand Between(const ArmCommand& a, const ArmCommand& b, double t) {
   const auto mix = [t](double from, double to) { return from + t * (to - from); };
-  return {mix(a.elevation_rad, b.elevation_rad), mix(a.plane_rad, b.plane_rad),
-          mix(a.axial_rad, b.axial_rad), mix(a.shrug_rad, b.shrug_rad),
-          mix(a.protraction_rad, b.protraction_rad)};
+  return {mix(a.elevation_rad, b.elevation_rad),
+          mix(a.plane_rad, b.plane_rad),
+          mix(a.axial_rad, b.axial_rad),
+          mix(a.shrug_rad, b.shrug_rad),
+          mix(a.protraction_rad, b.protraction_rad),
+          a.axial_from};
 }
 
 struct TimedCommand {
@@ -60,7 +63,7 @@ Motion ReachingMotion(std::string name, const ArmCommand& from, const ArmCommand
           }};
 }
 
-Motion ReadMotion(std::istream& in, const std::string& name) {
+Motion ReadMotion(std::istream& in, const std::string& name, AxialFrom axial_from) {
   CsvReader csv(in, name);
   csv.ExpectOnlyColumns(
       {"time_s", "elevation_deg", "plane_deg", "axial_deg", "shrug_deg", "protraction_deg"});
@@ -91,7 +94,8 @@ Motion ReadMotion(std::istream& in, const std::string& name) {
     }
     rows.push_back({time_s,
                     {angle_rad(elevation), angle_rad(plane), axial ? angle_rad(*axial) : 0,
-                     offset_rad(shrug, kShrugRange), offset_rad(protraction, kProtractionRange)}});
+                     offset_rad(shrug, kShrugRange), offset_rad(protraction, kProtractionRange),
+                     axial ? axial_from : AxialFrom::kRhythm}});
   }
   if (rows.empty()) {
     csv.Fail("the motion has no rows");

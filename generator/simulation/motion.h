@@ -30,7 +30,8 @@ using CommandRate = std::array<double, kRateCount>;
 /// Returns how fast a motion's command changes over the step that begins at a time.
 [[nodiscard]] CommandRate RateOf(const Motion& motion, double time_s, double step_s);
 
-/// Returns a motion from one command to another on a straight line in (elevation, plane, axial),
+/// Returns a motion from one command to another, which count axial turns from one zero, on a
+/// straight line in (elevation, plane, axial),
 /// with the speed profile of a reaching arm (least jerk: Flash and Hogan, J Neurosci 1985;5:1688),
 /// at rest at both ends. Precondition: duration_s > 0.
 [[nodiscard]] Motion ReachingMotion(std::string name, const ArmCommand& from, const ArmCommand& to,
@@ -38,8 +39,10 @@ using CommandRate = std::array<double, kRateCount>;
 
 /// Reads `time_s,elevation_deg,plane_deg`, optionally `axial_deg`, `shrug_deg` and
 /// `protraction_deg`, columns in any order, times not negative and increasing, offsets within
-/// kShrugRange and kProtractionRange, and goes in straight lines from row to row. Throws InputError
-/// with file and line.
-[[nodiscard]] Motion ReadMotion(std::istream& in, const std::string& name);
+/// kShrugRange and kProtractionRange, and goes in straight lines from row to row. The column
+/// axial_deg is counted from `axial_from`; without it the turn is the rhythm's own. Throws
+/// InputError with file and line.
+[[nodiscard]] Motion ReadMotion(std::istream& in, const std::string& name,
+                                AxialFrom axial_from = AxialFrom::kRhythm);
 
 }  // namespace girdle

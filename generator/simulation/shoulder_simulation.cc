@@ -22,12 +22,36 @@ Vector3 PositionAt(const mjtNum* p) { return {p[0], p[1], p[2]}; }
 }  // namespace
 
 ShoulderSimulation::ShoulderSimulation(LoadedShoulders shoulders, AssembledRhythm rhythm)
-    : loaded_(std::move(shoulders)), rhythm_(std::move(rhythm)) {}
+    : loaded_(std::move(shoulders)),
+      rhythm_(std::move(rhythm)),
+      axial_from_(OwnAxialFrom(loaded_)) {}
 
 ShoulderSimulation::ShoulderSimulation(LoadedShoulders shoulders)
-    : loaded_(std::move(shoulders)), rhythm_(OwnRhythm(loaded_)) {}
+    : loaded_(std::move(shoulders)),
+      rhythm_(OwnRhythm(loaded_)),
+      axial_from_(OwnAxialFrom(loaded_)) {}
 
-void ShoulderSimulation::SetCommand(const ArmCommand& command, const CommandRate& rate) {
+// The plugin solves what is left of the command within the controls' ranges.
+ArmCommand ShoulderSimulation::AsModelCounts(const ArmCommand& command) const {
+  if (!has_plugin() || command.axial_from == axial_from_) {
+    return command;
+  }
+  const auto within_range = [this](double value, int control) {
+    const mjtNum* const range = model().actuator_ctrlrange + 2 * control;
+    return model().actuator_ctrllimited[control] != 0 ? std::clamp(value, range[0], range[1])
+                                                      : value;
+  };
+  ArmCommand read = command;
+  read.elevation_rad = within_range(command.elevation_rad, elements().command_controls[0]);
+  read.plane_rad = within_range(command.plane_rad, elements().command_controls[1]);
+  ArmCommand counted = command;
+  counted.axial_rad = rhythm_.rhythm().AxialCountedFrom(axial_from_, read);
+  counted.axial_from = axial_from_;
+  return counted;
+}
+
+void ShoulderSimulation::SetCommand(const ArmCommand& asked, const CommandRate& rate) {
+  const ArmCommand command = AsModelCounts(asked);
   if (!has_plugin()) {
     target_ = rhythm_.SolvePose(command, &used_);
   }
@@ -178,10 +202,15 @@ ShoulderState ShoulderSimulation::Derived(double time_s, const ArmCommand& comma
     used.elevation_rad = sensor[sensor_layout::kCommanded];
     used.plane_rad = sensor[sensor_layout::kCommanded + 1];
     used.axial_rad = sensor[sensor_layout::kCommanded + 2];
-    state.clamped = rhythm_.rhythm().IsClamped(command, used);
+    used.axial_from = AxialFrom::kRhythm;
+    state.clamped = rhythm_.rhythm().IsClamped(AsModelCounts(command), used);
+    state.used_axial_rad = used.axial_rad;
+    state.used_axial_isb_rad = sensor[sensor_layout::kCommandedIsb];
   } else {
     state.distance_rad = rhythm_.rhythm().DistanceOutside(command.elevation_rad, command.plane_rad);
     state.clamped = rhythm_.rhythm().IsClamped(command, used_);
+    state.used_axial_rad = used_.axial_rad;
+    state.used_axial_isb_rad = rhythm_.rhythm().AxialOf(AxialFrom::kIsb, target_, used_);
   }
   state.connect_force_N = ConnectForce();
   AddLigaments(state);

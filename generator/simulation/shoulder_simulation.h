@@ -33,6 +33,10 @@ class ShoulderSimulation {
   /// side.
   void Watch(Side side) { loaded_.Watch(side); }
 
+  /// Returns a command with its axial turn counted from what the model's own command is counted
+  /// from. Position servos have no such command: it stays as it is.
+  [[nodiscard]] ArmCommand AsModelCounts(const ArmCommand& command) const;
+
   /// Puts the arm at rest where a command asks for it.
   void Start(const ArmCommand& command);
 
@@ -104,6 +108,7 @@ class ShoulderSimulation {
 
   LoadedShoulders loaded_;
   AssembledRhythm rhythm_;
+  AxialFrom axial_from_;  ///< of the model's command
   /// What position servos were told last, and what of it they follow.
   ArmCommand used_;
   ShoulderPose target_;

@@ -23,6 +23,9 @@ struct ShoulderState {
   double fastest_m_per_s = 0;    ///< of its slides
   /// The plugin used another command: the nearest within the controls' ranges and the rhythm's.
   bool clamped = false;
+  /// The axial turn of the command used, counted from the rhythm's own and as ISB's third angle.
+  double used_axial_rad = 0;
+  double used_axial_isb_rad = 0;
   double distance_rad = 0;     ///< of the command's direction from measured ones
   double connect_force_N = 0;  ///< with which the AC joint of a loop is held together
   std::array<double, kLigamentCount> ligament_m{};        ///< lengths

@@ -86,14 +86,23 @@ Stems SiteStems(const Assembly& /*assembly*/) {
   return stems;
 }
 
+// In the order of AxialFrom.
+Stems UsedAxialStems(const Assembly& /*assembly*/) {
+  return {std::string(kUsedAxialNames[0]), std::string(kUsedAxialNames[1])};
+}
+
 // In the order of the trace. Further columns are a line here.
-constexpr std::array<OutputColumns<ShoulderState, Assembly>, 7> kTraceColumns = {{
+constexpr std::array<OutputColumns<ShoulderState, Assembly>, 8> kTraceColumns = {{
     {[](const Assembly&) { return Stems{"time"}; }, kSeconds,
      [](const ShoulderState& state, std::size_t) -> Cell { return state.time_s; }},
     {CommandStems, kDegrees, CommandAngle},
     {[](const Assembly&) { return Stems{"distance"}; }, kDegrees,
      [](const ShoulderState& state, std::size_t) -> Cell {
        return DegreesFromRadians(state.distance_rad);
+     }},
+    {UsedAxialStems, kDegrees,
+     [](const ShoulderState& state, std::size_t k) -> Cell {
+       return DegreesFromRadians(k == 0 ? state.used_axial_rad : state.used_axial_isb_rad);
      }},
     {TargetStems, kDegrees,
      [](const ShoulderState& state, std::size_t k) -> Cell {
@@ -113,9 +122,9 @@ constexpr std::array<OutputColumns<ShoulderState, Assembly>, 7> kTraceColumns = 
 }  // namespace
 
 ArmCommand ReplayableCommand(const ArmCommand& command) noexcept {
-  return {ReplayableAngle(command.elevation_rad), ReplayableAngle(command.plane_rad),
-          ReplayableAngle(command.axial_rad), ReplayableAngle(command.shrug_rad),
-          ReplayableAngle(command.protraction_rad)};
+  return {ReplayableAngle(command.elevation_rad),   ReplayableAngle(command.plane_rad),
+          ReplayableAngle(command.axial_rad),       ReplayableAngle(command.shrug_rad),
+          ReplayableAngle(command.protraction_rad), command.axial_from};
 }
 
 std::string TraceHeader(Assembly assembly) {

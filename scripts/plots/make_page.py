@@ -19,6 +19,7 @@ from functools import partial
 from pathlib import Path
 
 import abduction
+import axial_zero
 import elbow_path
 import reach
 import rhythm_maps
@@ -142,6 +143,7 @@ PLOTS: list[tuple[str, Callable[[Girdle, bool], Figure]]] = [
     ("reach", reach.make),
     ("map of upward rotation", rhythm_maps.make_rotation),
     ("maps of published rhythms", rhythm_maps.make_distances),
+    ("axial zero", axial_zero.make),
 ]
 
 

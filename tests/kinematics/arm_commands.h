@@ -35,8 +35,8 @@ inline void showValue(const ArmCommand& command, std::ostream& out) {
   out << std::setprecision(std::numeric_limits<double>::max_digits10) << "elevation "
       << DegreesFromRadians(command.elevation_rad) << " deg, plane "
       << DegreesFromRadians(command.plane_rad) << " deg, axial "
-      << DegreesFromRadians(command.axial_rad) << " deg, shrug "
-      << DegreesFromRadians(command.shrug_rad) << " deg, protraction "
+      << DegreesFromRadians(command.axial_rad) << " deg from " << Name(command.axial_from)
+      << ", shrug " << DegreesFromRadians(command.shrug_rad) << " deg, protraction "
       << DegreesFromRadians(command.protraction_rad) << " deg";
 }
 inline void PrintTo(const ArmCommand& command, std::ostream* out) { showValue(command, *out); }
@@ -44,6 +44,9 @@ inline std::ostream& operator<<(std::ostream& out, const ArmCommand& command) {
   showValue(command, out);
   return out;
 }
+
+inline void showValue(AxialFrom zero, std::ostream& out) { out << Name(zero); }
+inline void PrintTo(const AxialFrom& zero, std::ostream* out) { showValue(zero, *out); }
 
 inline ArmCommand Command_deg(double elevation_deg, double plane_deg, double axial_deg = 0,
                               double shrug_deg = 0, double protraction_deg = 0) {
@@ -55,6 +58,10 @@ inline ArmCommand Command_deg(double elevation_deg, double plane_deg, double axi
 /// A command within the table.
 inline rc::Gen<ArmCommand> InnerCommand() {
   return rc::gen::exec([] { return Command_deg(*NumberWithin(15, 120), *NumberWithin(0, 90)); });
+}
+
+inline rc::Gen<AxialFrom> AnyAxialFrom() {
+  return rc::gen::element(AxialFrom::kRhythm, AxialFrom::kIsb, AxialFrom::kSwing);
 }
 
 /// From `first` to `last` in even steps.

@@ -80,6 +80,7 @@ ArmCommand AnyCommand() {
     command.axial_rad = *NumberWithin(-1, 1);
     command.shrug_rad = *NumberWithin(-0.3, 0.3);
     command.protraction_rad = *NumberWithin(-0.3, 0.3);
+    command.axial_from = *AnyAxialFrom();
   }
   RC_PRE(StaysInOneForm(command));
   return command;
@@ -89,6 +90,16 @@ ArmCommand Moved(ArmCommand command, double elevation_rad, double plane_rad) {
   command.elevation_rad += elevation_rad;
   command.plane_rad += plane_rad;
   return command;
+}
+
+// With what is added counted from every zero.
+std::vector<ArmCommand> PlainAndWith(const ArmCommand& added, const ArmCommand& plain) {
+  std::vector<ArmCommand> commands = {plain};
+  for (const AxialFrom zero : {AxialFrom::kRhythm, AxialFrom::kIsb, AxialFrom::kSwing}) {
+    commands.push_back(Moved(added, plain.elevation_rad, plain.plane_rad));
+    commands.back().axial_from = zero;
+  }
+  return commands;
 }
 
 // Central differences over two of these are off by its square times a sixth of the third
@@ -171,7 +182,7 @@ TEST_P(Smoothness, HasTheDerivativesOfDifferencesEverywhere) {
     for (const double plane_deg : Steps(-94.7, 134.7, 61)) {
       const ArmCommand plain = Command_deg(elevation_deg, plane_deg);
       if (!StaysInOneForm(plain) || !IsReached(plain)) continue;
-      for (const ArmCommand& command : {plain, Moved(rest, plain.elevation_rad, plain.plane_rad)}) {
+      for (const ArmCommand& command : PlainAndWith(rest, plain)) {
         EXPECT_LT(RateError(With(GetParam()), command), kDifferenceTolerance) << command;
         EXPECT_LT(SecondError(With(GetParam()), command), kSecondTolerance) << command;
       }
@@ -429,7 +440,7 @@ TEST(Rates, FollowWhatAnswersADirectionThatIsNotReached) {
       }
       used.plane_rad = std::min(used.plane_rad, RadiansFromDegrees(135 - 2 * kMargin_deg));
       if (!StaysInOneForm(used, kMargin_deg)) continue;
-      for (const ArmCommand& command : {plain, Moved(rest, plain.elevation_rad, plain.plane_rad)}) {
+      for (const ArmCommand& command : PlainAndWith(rest, plain)) {
         const BeyondTheReach beyond(command);
         if (!beyond.IsSmooth()) {
           ++kinked;

@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstring>
 #include <functional>
@@ -82,8 +84,11 @@ rc::Gen<ArmCommand> AnyCommand() {
                        *rc::gen::element(-160., -95., -30., 0., 40., 90., 135., 200., 350.));
   });
   const auto added_to = rc::gen::exec([] {
-    return Command_deg(*NumberWithin(-20, 200), *NumberWithin(-400, 400), *NumberWithin(-90, 90),
-                       *NumberWithin(-40, 40), *NumberWithin(-40, 40));
+    ArmCommand command =
+        Command_deg(*NumberWithin(-20, 200), *NumberWithin(-400, 400), *NumberWithin(-90, 90),
+                    *NumberWithin(-40, 40), *NumberWithin(-40, 40));
+    command.axial_from = *AnyAxialFrom();
+    return command;
   });
   const auto not_finite = rc::gen::exec([] {
     ArmCommand command = Command_deg(*NumberWithin(0, 180), *NumberWithin(-95, 135));
@@ -91,6 +96,7 @@ rc::Gen<ArmCommand> AnyCommand() {
                                           &ArmCommand::axial_rad, &ArmCommand::shrug_rad,
                                           &ArmCommand::protraction_rad);
     command.*member = *rc::gen::element(kNan, kInfinity, -kInfinity);
+    command.axial_from = *AnyAxialFrom();
     return command;
   });
   return rc::gen::weightedOneOf<ArmCommand>(
@@ -142,6 +148,19 @@ bool SameBytes(const std::vector<T>& a, const std::vector<T>& b) {
   return a.size() == b.size() &&
          (a.empty() || std::memcmp(static_cast<const void*>(a.data()),
                                    static_cast<const void*>(b.data()), a.size() * sizeof(T)) == 0);
+}
+
+// Of commands by their members: there is padding behind the last one.
+bool SameBytes(const std::vector<ArmCommand>& a, const std::vector<ArmCommand>& b) {
+  const auto bytes_of = [](const ArmCommand& command) {
+    return std::bit_cast<std::array<std::byte, 5 * sizeof(double)>>(
+        std::array{command.elevation_rad, command.plane_rad, command.axial_rad, command.shrug_rad,
+                   command.protraction_rad});
+  };
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [&](const ArmCommand& one, const ArmCommand& other) {
+                      return bytes_of(one) == bytes_of(other) && one.axial_from == other.axial_from;
+                    });
 }
 
 void ExpectSame(const Answers& answers, const Answers& expected,

@@ -32,6 +32,7 @@ from reference_rhythm import (
 
 Closure = Literal["table", "exact"]
 Extent = Literal["clamp", "whole"]
+AxialFrom = Literal["rhythm", "isb", "swing"]
 # Lower and upper end (deg) of coordinates.
 JointRanges = dict[str, tuple[float, float]]
 
@@ -179,6 +180,25 @@ def swing(theta: Array, psi: Array) -> Array:
 def twist(q_TH: Array) -> Array:
     """tau of q_TH = S Ry(tau) with S a smallest rotation, which has no y, within half a turn."""
     return 2.0 * np.arctan2(q_TH[2], q_TH[0])
+
+
+def isb_humerus(elevation_deg: Array, plane_deg: Array, axial_deg: Array) -> Array:
+    """q_TH of ISB's humerothoracic angles, Y(plane) X(-elevation) Y(axial)."""
+    return euler_quaternions("yxy", np.stack([plane_deg, -elevation_deg, axial_deg]))
+
+
+def carried(q_TH: Array, elevation_deg: Array, plane_deg: Array) -> Array:
+    """A humerus taken by the smallest rotation to where its arm points in a direction.
+
+    About arm x direction by the angle between the two.
+    """
+    hanging = np.repeat([[0.0], [-1.0], [0.0]], q_TH.shape[1], axis=1)
+    arm = turned(q_TH, hanging)
+    goal = arm_direction(np.radians(elevation_deg), np.radians(plane_deg))
+    axis = np.cross(arm, goal, axis=0)
+    sine = np.linalg.norm(axis, axis=0)
+    angle = np.arctan2(sine, np.sum(arm * goal, axis=0))
+    return multiply(exps(axis * np.where(sine > 0.0, angle / np.where(sine > 0.0, sine, 1.0), 1.0)), q_TH)
 
 
 def direction_deg(elevation_deg: Array | float, plane_deg: Array | float) -> Array:
@@ -846,6 +866,42 @@ class SmoothRhythm:
             rotations=rotations,
             angles_deg=angles_deg,
         )
+
+    def axial_on_rhythm_deg(
+        self,
+        elevation_deg: Array,
+        plane_deg: Array,
+        axial_deg: Array,
+        zero: AxialFrom,
+        closure: Closure = "exact",
+        extent: Extent = "whole",
+    ) -> Array:
+        """An axial turn that is counted from another zero, counted from the rhythm's own humerus.
+
+        The humerus that is meant is made first: of ISB's angles that were asked for, carried to the
+        direction that answers, or of ISB's zero in the middle of the reach, carried there, and then
+        turned. How far the rhythm's own humerus is turned until it is that one is the answer.
+        """
+        if zero == "rhythm":
+            return axial_deg
+        own = self.solve(elevation_deg, plane_deg, closure=closure, extent=extent)
+        to_deg = (own.elevation_deg, own.plane_deg)
+        q_TH = multiply(multiply(own.rotations["sc"], own.rotations["ac"]), own.rotations["gh"])
+        if closure == "table":
+            # Where it was told to point, with the turn that it has.
+            q_TH = multiply(swing(*np.radians(to_deg)), turns("y", twist(q_TH)))
+        if zero == "isb":
+            asked_deg = np.clip(elevation_deg, 0.0, 180.0)
+            meant = carried(isb_humerus(asked_deg, plane_deg, axial_deg), *to_deg)
+        else:
+            whole = np.ones_like(elevation_deg)
+            start = isb_humerus(90.0 * whole, MIDDLE_DEG * whole, 0.0 * whole)
+            meant = multiply(carried(start, *to_deg), turns("y", np.radians(axial_deg)))
+        turn_deg = np.degrees(twist(multiply(inverses(q_TH), meant)))
+        joint_deg = own.angles_deg["gh_axial"]
+        lowest_deg = LOWEST_AXIAL_DEG
+        wrapped_deg = lowest_deg + np.mod(joint_deg + turn_deg - lowest_deg, 360.0)
+        return wrapped_deg - joint_deg
 
     def moved_or_answered(
         self,

@@ -40,6 +40,8 @@ TRACE_COLUMNS = [
     *COMMANDS,
     *OFFSETS,
     "distance_deg",
+    "used_axial_deg",
+    "used_axial_isb_deg",
     *(f"target_{coordinate}_deg" for coordinate in COORDINATES),
     *(f"{coordinate}_deg" for coordinate in COORDINATES),
     *(f"{bone}_q{component}" for bone in BONES for component in "wxyz"),

@@ -29,7 +29,7 @@ SEED = 20090815
 
 SOLVED_COLUMNS = [
     *(f"{coordinate}_deg" for coordinate in COORDINATES),
-    *("clamped", "distance_deg", "origin"),
+    *("clamped", "distance_deg", "origin", "used_axial_deg", "used_axial_isb_deg"),
 ]
 PUBLISHED = ("--interpolation", "squad", "--closure", "table")
 
@@ -187,7 +187,8 @@ def test_the_angles_stand_after_the_input_in_a_fixed_order(solved: bytes) -> Non
         "elevation_deg,plane_deg,"
         "sc_protraction_deg,sc_elevation_deg,sc_rotation_deg,"
         "ac_internal_rotation_deg,ac_upward_rotation_deg,ac_tilt_deg,"
-        "gh_elevation_deg,gh_flexion_deg,gh_axial_deg,clamped,distance_deg,origin"
+        "gh_elevation_deg,gh_flexion_deg,gh_axial_deg,clamped,distance_deg,origin,"
+        "used_axial_deg,used_axial_isb_deg"
     )
 
 

@@ -45,6 +45,7 @@ PLOTTED = [
     "reach",
     "map_of_upward_rotation",
     "maps_of_published_rhythms",
+    "axial_zero",
 ]
 
 # A table has the digits that its reader needs: half of the last one.
@@ -219,6 +220,7 @@ def test_a_figure_is_there_as_svg_with_its_text_as_text(figures: Path, name: str
         ("reach", ["(deg)"]),
         ("map_of_upward_rotation", ["(deg)"]),
         ("maps_of_published_rhythms", ["(deg)"]),
+        ("axial_zero", ["(deg)"]),
     ],
 )
 def test_axes_have_units(figures: Path, name: str, units: list[str]) -> None:
@@ -317,6 +319,24 @@ def test_jumps_of_velocity_are_those_of_continuity(page: Page, run_program: RunP
         expected = [line[joint]["velocity_deg_per_deg"] for joint in ("SC", "AC", "GH")]
         row = shown[f"{line['interpolation']}, over {line['over']}"]
         assert [float(text) for text in row] == pytest.approx(expected, rel=TWO_DIGITS_SHARE)
+
+
+def test_axial_rotations_of_the_rhythm_are_those_of_solve(
+    page: Page, run_program: RunProgram
+) -> None:
+    header, *rows = page.sections["axial_zero"].tables[0]
+    planes = [name.removeprefix("plane ") for name in header[1:]]
+    shown = 0
+    for elevation, *row in rows:
+        for plane, text in zip(planes, row, strict=True):
+            pose = ("--elevation", elevation, "--plane", plane, "--json")
+            answer = json.loads(run_program("solve", *pose))
+            assert answer["clamped"] == (text == "-")
+            if text != "-":
+                expected = answer["used"]["axial_isb_deg"]
+                assert float(text) == pytest.approx(expected, abs=ONE_DECIMAL)
+                shown += 1
+    assert shown > 35
 
 
 def test_scapulohumeral_ratios_are_those_of_compare(page: Page, run_program: RunProgram) -> None:

@@ -93,7 +93,8 @@ class Variant:
 
 def words_of(*options: str) -> frozenset[str]:
     leads = () if "--lead scapula" in options else ("clavicle leads",)
-    return frozenset(("all", *options, *leads))
+    counts = () if "--axial-from isb" in options else ("axial from rhythm",)
+    return frozenset(("all", *options, *leads, *counts))
 
 
 def variant_of(path: Path, assembly: str, *options: str) -> Variant:
@@ -118,6 +119,7 @@ COMMITTED = [
 # Models that are not committed and have names of their own.
 FURTHER = {
     "offsets and rates": ("tree", "plugin", "--offsets", "--rates"),
+    "axial from ISB's zero": ("tree", "plugin", "--axial-from isb"),
     "offsets in a loop": ("loop", "plugin", "--offsets"),
     "pressed by the thorax": ("tree", "plugin", "--thorax-contact"),
     "the scapula leads": ("loop", "plugin", "--lead scapula"),

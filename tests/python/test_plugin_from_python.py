@@ -40,7 +40,7 @@ COMMANDS = ("elevation", "plane", "axial")
 OFFSETS = ("shrug", "protraction")
 RATES = ("elevation_rate", "plane_rate", "axial_rate")
 MOVING_BODIES = ("clavicle", "scapula", "humerus")
-RHYTHM_SENSOR_SIZE = 25
+RHYTHM_SENSOR_SIZE = 27
 
 # The same two factors as the program's, so that the same bits come out.
 RAD_PER_DEG = math.pi / 180.0
@@ -170,6 +170,11 @@ class Rhythm:
     @property
     def distance(self) -> float:
         return float(self.values[24])
+
+    @property
+    def axial_isb(self) -> Array:
+        """Commanded and reached."""
+        return self.values[25:27]
 
 
 @pytest.fixture(scope="module")
@@ -320,6 +325,8 @@ def test_the_trace_has_its_columns_in_order(trace: Trace) -> None:
         "time_s",
         *(f"{command}_deg" for command in (*COMMANDS, *OFFSETS)),
         "distance_deg",
+        "used_axial_deg",
+        "used_axial_isb_deg",
         *(f"target_{coordinate}_deg" for coordinate in COORDINATES),
         *(f"{coordinate}_deg" for coordinate in COORDINATES),
         *(f"{body}_q{axis}" for body in MOVING_BODIES for axis in "wxyz"),
@@ -416,7 +423,7 @@ def forward(data: mujoco.MjData, shoulder: Shoulder, command_rad: Array) -> Rhyt
     return shoulder.rhythm(data)
 
 
-def test_the_sensor_has_its_25_numbers(data: mujoco.MjData, shoulder: Shoulder) -> None:
+def test_the_sensor_has_its_27_numbers(data: mujoco.MjData, shoulder: Shoulder) -> None:
     assert shoulder.rhythm(data).values.shape == (RHYTHM_SENSOR_SIZE,)
 
 

@@ -37,7 +37,7 @@ NUDGE_DEG = 1e-9
 
 SOLVED_COLUMNS = [
     *(f"{coordinate}_deg" for coordinate in COORDINATES),
-    *("clamped", "distance_deg", "origin"),
+    *("clamped", "distance_deg", "origin", "used_axial_deg", "used_axial_isb_deg"),
 ]
 
 

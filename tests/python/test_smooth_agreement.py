@@ -12,17 +12,22 @@ from pathlib import Path
 import numpy as np
 import pytest
 from conftest import RunProgram
-from reference_rhythm import COORDINATES, JOINT_SEQUENCES, Array, Position
+from reference_rhythm import COORDINATES, JOINT_SEQUENCES, Array, Position, multiply
 from reference_smooth import (
+    AxialFrom,
     Closure,
     Extent,
     SmoothPoses,
     SmoothRhythm,
+    angles_between_deg,
     as_seen_from,
+    direction_deg,
+    isb_humerus,
     lowest_plane_deg,
     reached,
     read_joint_ranges,
 )
+from reference_smooth import apart_deg as reference_apart_deg
 
 SEED = 20090201
 RANDOM_POSES = 2500
@@ -165,6 +170,7 @@ def solve_file(
     commands: dict[str, Array],
     closure: Closure,
     extent: Extent,
+    *words: str,
 ) -> dict[str, Array]:
     """The program's answers, a column each; those that are not numbers are left out."""
     poses_path, angles_path = directory / "poses.csv", directory / "angles.csv"
@@ -174,13 +180,62 @@ def solve_file(
         poses = zip(*commands.values(), strict=True)
         writer.writerows([repr(float(value)) for value in pose] for pose in poses)
     model = ("--interpolation", "smooth", "--table", "measured")
-    how = ("--closure", closure, "--range", extent, "--rates")
+    how = ("--closure", closure, "--range", extent, "--rates", *words)
     run_program("solve", "--in", poses_path, "--out", angles_path, *model, *how)
     with angles_path.open(newline="", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
     return {
         name: np.array([float(row[name]) for row in rows]) for name in rows[0] if name != "origin"
     }
+
+
+# Of the random poses, that many.
+AXIAL_POSES = 500
+# Half a turn from the middle of the window a turn is as near to one end as to the other, and
+# opposite to what answers there is no smallest rotation: rounding decides.
+UNDECIDED_DEG = 1e-3
+OPPOSITE_DEG = 1.0
+
+
+@pytest.mark.parametrize("zero", ["isb", "swing"])
+@pytest.mark.parametrize(("closure", "extent"), CASES)
+def test_axial_turns_from_other_zeros_agree_with_the_reference(
+    run_program: RunProgram,
+    smooth: SmoothRhythm,
+    tmp_path: Path,
+    zero: AxialFrom,
+    closure: Closure,
+    extent: Extent,
+) -> None:
+    random = np.random.default_rng(SEED)
+    ranges_deg = {**RANDOM_RANGES_DEG, "axial_deg": (-400.0, 400.0)}
+    commands = {
+        name: random.uniform(*range_deg, AXIAL_POSES) for name, range_deg in ranges_deg.items()
+    }
+    answers = solve_file(
+        run_program, tmp_path, commands, closure, extent, "--axial-from", zero
+    )
+    asked = (commands["elevation_deg"], commands["plane_deg"])
+    turn_deg = smooth.axial_on_rhythm_deg(*asked, commands["axial_deg"], zero, closure, extent)
+    expected = smooth.solve(**{**commands, "axial_deg": turn_deg}, closure=closure, extent=extent)
+    own = smooth.solve(*asked, closure=closure, extent=extent)
+    in_window_deg = np.abs(own.angles_deg["gh_axial"] + turn_deg + 45.0)
+    way_deg = reference_apart_deg(
+        direction_deg(np.clip(asked[0], 0.0, 180.0), asked[1]),
+        direction_deg(own.elevation_deg, own.plane_deg),
+    )
+    counts = (in_window_deg < 180.0 - UNDECIDED_DEG) & (way_deg < 180.0 - OPPOSITE_DEG)
+    assert counts.sum() > 0.98 * AXIAL_POSES
+    for coordinate in COORDINATES:
+        errors_deg = apart_deg(answers[f"{coordinate}_deg"], expected.angles_deg[coordinate])
+        assert errors_deg[counts].max() < AGREEMENT_DEG, coordinate
+    assert np.abs(answers["used_axial_deg"] - expected.axial_deg)[counts].max() < AGREEMENT_DEG
+    if closure == "exact":
+        q_TH = multiply(
+            multiply(expected.rotations["sc"], expected.rotations["ac"]), expected.rotations["gh"]
+        )
+        again = isb_humerus(expected.elevation_deg, expected.plane_deg, answers["used_axial_isb_deg"])
+        assert angles_between_deg(again, q_TH)[counts].max() < AGREEMENT_DEG
 
 
 @pytest.fixture(scope="module")

@@ -113,6 +113,15 @@ TEST(RhythmConfig, TakesTheRange) {
   }
 }
 
+TEST(RhythmConfig, TakesWhatAxialTurnsAreCountedFrom) {
+  for (const char* const name : {"rhythm", "isb", "swing"}) {
+    RhythmConfigText text = ValidText();
+    text.axial_from = name;
+    EXPECT_EQ(Name(ParseRhythmConfig(text).axial_from), name);
+  }
+  EXPECT_EQ(ParseRhythmConfig(ValidText()).axial_from, AxialFrom::kRhythm);
+}
+
 TEST(RhythmConfig, TakesATable) {
   RhythmConfigText text = ValidText();
   text.table = RhythmTableToLine(SmallTable());

@@ -102,6 +102,8 @@ INSTANTIATE_TEST_SUITE_P(
              Nothing},
         Flaw{"clavicle and scapula at 180, plane to plane",
              [](double e, double p) { return e > 170 ? 1e-10 * p : 0; }, Nothing},
+        Flaw{"the same with axial from swing, plane to plane", Nothing,
+             [](double e, double p) { return e > 170 ? 1e-10 * p : 0; }},
         Flaw{"plane reached - commanded", [](double, double) { return 1e-8; }, Nothing},
         Flaw{"fastest bone per degree of elevation", Nothing,
              [](double e, double) { return 4 * e; }},

@@ -1,0 +1,174 @@
+# SPDX-FileCopyrightText: 2026 The Girdle authors
+# SPDX-License-Identifier: Apache-2.0
+"""Axial turns counted from ISB's zero or the swing's, as a person types them."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import re
+
+import numpy as np
+import pytest
+from conftest import Girdle, Refuses
+from reference_rhythm import DATABASE, Array, Position, multiply
+from reference_smooth import isb_humerus, turned
+
+MEASURED = ("--table", "measured")
+
+# Angles through a few quaternions.
+ROUNDING_DEG = 1e-9
+# Splines pass through a table's position to rounding; the arc tangent of its arm costs a little.
+TABLE_DEG = 1e-6
+
+
+def third_angle_and_plane_deg(p: Position) -> float:
+    """The sum of a and c of the table's own arm, R = Y(a) X(b) Y(c), from its matrix.
+
+    The second column of R is (sin a sin b, cos b, cos a sin b), its second row (sin b sin c, cos b,
+    -sin b cos c), and sin b is negative.
+    """
+    q_TH = multiply(multiply(p.rotation("sc"), p.rotation("ac")), p.rotation("gh"))[:, np.newaxis]
+    columns = [turned(q_TH, np.eye(3)[:, [n]])[:, 0] for n in range(3)]
+    first = np.arctan2(-columns[1][0], -columns[1][2])
+    third = np.arctan2(-columns[0][1], columns[2][1])
+    return float(np.degrees(first + third))
+
+
+@pytest.mark.parametrize("plane_deg", [0.0, 40.0, 90.0])
+def test_isbs_axial_rotation_follows_from_the_published_table(
+    girdle_fine: Girdle, database: list[Position], plane_deg: float
+) -> None:
+    """At elevation 60; exact closure points to the plane itself, so that the sum is the same."""
+    (position,) = (p for p in database if (p.elevation_deg, p.plane_deg) == (60.0, plane_deg))
+    expected_deg = third_angle_and_plane_deg(position) - plane_deg
+    pose = ("--elevation", "60", "--plane", str(plane_deg), *MEASURED, "--json")
+    used = json.loads(girdle_fine("solve", *pose).text)["used"]
+    difference_deg = (used["axial_isb_deg"] - expected_deg + 180.0) % 360.0 - 180.0
+    assert abs(difference_deg) < TABLE_DEG
+    assert used["axial_deg"] == 0.0
+
+
+def test_a_pose_with_isbs_angle_has_it(girdle_fine: Girdle) -> None:
+    pose = ("--elevation", "60", "--plane", "40", "--axial", "-30", "--axial-from", "isb")
+    answer = json.loads(girdle_fine("solve", *pose, "--json").text)
+    assert answer["axial_deg"] == -30.0
+    assert answer["axial_from"] == "isb"
+    assert answer["clamped"] is False
+    assert answer["used"]["axial_isb_deg"] == pytest.approx(-30.0, abs=ROUNDING_DEG)
+    # From the rhythm's own turn, the same pose.
+    turn = repr(answer["used"]["axial_deg"])
+    other = json.loads(
+        girdle_fine("solve", "--elevation", "60", "--plane", "40", "--axial", turn, "--json").text
+    )
+    assert other["axial_from"] == "rhythm"
+    assert other["angles_deg"] == pytest.approx(answer["angles_deg"], abs=ROUNDING_DEG)
+    text = girdle_fine("solve", *pose).text
+    assert "clamped" not in text
+    found = re.search(r"^axial +(\S+) deg from the rhythm's own turn, ISB (\S+) deg$", text, re.MULTILINE)
+    assert found
+    assert float(found[1]) == pytest.approx(answer["used"]["axial_deg"], abs=1e-6)
+    assert float(found[2]) == -30.0
+
+
+def test_the_rhythms_own_turn_is_what_no_axial_turn_says(girdle_fine: Girdle) -> None:
+    answer = json.loads(girdle_fine("solve", "--elevation", "60", "--plane", "40", "--json").text)
+    assert answer["used"]["axial_deg"] == 0.0
+    own = repr(answer["used"]["axial_isb_deg"])
+    pose = ("--elevation", "60", "--plane", "40", "--axial", own, "--axial-from", "isb", "--json")
+    again = json.loads(girdle_fine("solve", *pose).text)
+    assert again["used"]["axial_deg"] == pytest.approx(0.0, abs=ROUNDING_DEG)
+    assert again["angles_deg"] == pytest.approx(answer["angles_deg"], abs=ROUNDING_DEG)
+
+
+def rows_of(text: str) -> list[dict[str, str]]:
+    return list(csv.DictReader(io.StringIO(text)))
+
+
+def test_a_file_has_its_column_counted_from_isb(girdle_fine: Girdle) -> None:
+    poses = b"elevation_deg,plane_deg,axial_deg\n60,40,-30\n100,90,-80\n0,-120,60\n"
+    rows = rows_of(girdle_fine("solve", "--in", "-", "--axial-from", "isb", stdin=poses).text)
+    for row in rows:
+        assert row["clamped"] == "0"
+    assert [float(row["used_axial_isb_deg"]) for row in rows[:2]] == pytest.approx(
+        [-30.0, -80.0], abs=ROUNDING_DEG
+    )
+    # An option for all rows says the same as a column.
+    same = rows_of(
+        girdle_fine(
+            "solve", "--in", "-", "--axial-from", "isb", "--axial", "-30",
+            stdin=b"elevation_deg,plane_deg\n60,40\n",
+        ).text
+    )
+    assert same[0]["gh_axial_deg"] == rows[0]["gh_axial_deg"]
+    swept = rows_of(
+        girdle_fine(
+            "solve", "--elevation", "60:70:10", "--plane", "40", "--axial", "-30", "--axial-from", "isb"
+        ).text
+    )
+    assert swept[0]["gh_axial_deg"] == rows[0]["gh_axial_deg"]
+
+
+def humerus(row: dict[str, str]) -> Array:
+    """q_TH, from the direction asked for and ISB's angle answered."""
+    names = ("elevation_deg", "plane_deg", "used_axial_isb_deg")
+    return isb_humerus(*(np.array([float(row[name])]) for name in names))[:, 0]
+
+
+def test_the_swings_turn_is_one_humerus_straight_up(girdle_fine: Girdle) -> None:
+    sweep = ("--elevation", "180", "--plane", "0:90:10", "--axial")
+    own = rows_of(girdle_fine("solve", *sweep, "0").text)
+    swung = rows_of(girdle_fine("solve", *sweep, "-50", "--axial-from", "swing").text)
+    for rows, spins in ((own, True), (swung, False)):
+        apart_deg = np.degrees(2 * np.arccos(min(1.0, abs(humerus(rows[0]) @ humerus(rows[-1])))))
+        assert (apart_deg > 120.0) == spins
+        assert spins or apart_deg < 1e-5
+
+
+# --- What is refused -----------------------------------------------------------------------------
+
+POSE = ("--elevation", "60", "--plane", "40")
+
+
+@pytest.mark.parametrize(
+    ("words", "because"),
+    [
+        ((*POSE, "--axial", "0", "--axial-from", "ulna"), ("--axial-from ulna", "rhythm, isb, swing")),
+        ((*POSE, "--axial-from", "isb"), ("--axial-from isb", "Add --axial")),
+        (("--elevation", "0:90:5", "--plane", "0", "--axial-from", "isb"), ("no axial turn", "Add --axial")),
+        (("--pose", "relaxed", "--axial-from", "isb"), ("--pose says all", "Leave")),
+    ],
+)
+def test_a_zero_without_a_turn_or_of_an_unknown_name_is_refused(
+    refuses: Refuses, words: tuple[str, ...], because: tuple[str, ...]
+) -> None:
+    refuses("solve", *words, because=because)
+
+
+def test_a_file_without_the_column_is_refused(refuses: Refuses) -> None:
+    refuses(
+        "solve", "--in", "-", "--axial-from", "isb",
+        because=("standard input:1: --axial-from isb", "Add the column axial_deg"),
+        stdin=b"elevation_deg,plane_deg\n60,40\n",
+    )  # fmt: skip
+
+
+def test_a_raise_has_no_turn_to_count(refuses: Refuses, model_path: object) -> None:
+    refuses(
+        "simulate", str(model_path), "--raise", "0:90", "--axial-from", "isb",
+        because=("--axial-from belongs to the column axial_deg",),
+    )  # fmt: skip
+
+
+def test_the_readmes_numbers_are_those_of_solve(girdle_fine: Girdle) -> None:
+    readme = (DATABASE.parents[1] / "README.md").read_text(encoding="utf-8")
+    found = re.search(
+        r"axial rotation of (-?\d+) at \(elevation (\d+), plane (\d+)\) and (-?\d+) at \((\d+), (\d+)\)",
+        readme,
+    )
+    assert found
+    for axial, elevation, plane in (found.groups()[:3], found.groups()[3:]):
+        pose = ("--elevation", elevation, "--plane", plane, "--json")
+        used = json.loads(girdle_fine("solve", *pose).text)["used"]
+        assert round(used["axial_isb_deg"]) == int(axial)
