@@ -56,13 +56,20 @@ Cell Rate(const SolvedRow& row, std::size_t k) {
 }
 
 // In the order of the output. Further columns are a line here.
-constexpr std::array<OutputColumns<SolvedRow, SolveAdditions>, 6> kSolveColumns = {{
+constexpr std::array<OutputColumns<SolvedRow, SolveAdditions>, 7> kSolveColumns = {{
     {AngleStems, kDegrees,
      [](const SolvedRow& row, std::size_t k) -> Cell {
        return DegreesFromRadians(row.angles_rad[k]);
      }},
     {[](const SolveAdditions&) { return Stems{std::string(kClampedStem)}; }, kNoUnit,
      [](const SolvedRow& row, std::size_t) -> Cell { return row.clamped ? 1.0 : 0.0; }},
+    {[](const SolveAdditions&) {
+       return Stems{std::string(kUsedElevationStem), std::string(kUsedPlaneStem)};
+     },
+     kDegrees,
+     [](const SolvedRow& row, std::size_t k) -> Cell {
+       return DegreesFromRadians(k == 0 ? row.used.elevation_rad : row.used.plane_rad);
+     }},
     {[](const SolveAdditions&) { return Stems{std::string(kDistanceStem)}; }, kDegrees,
      [](const SolvedRow& row, std::size_t) -> Cell {
        return DegreesFromRadians(row.distance_rad);

@@ -149,15 +149,15 @@ ShoulderState ShoulderSimulation::Derived(double time_s, const ArmCommand& comma
   if (has_plugin()) {
     const mjtNum* sensor = data().sensordata + elements().sensor;
     state.distance_rad = sensor[sensor_layout::kDistance];
-    ArmCommand used = command;
-    used.elevation_rad = sensor[sensor_layout::kCommanded];
-    used.plane_rad = sensor[sensor_layout::kCommanded + 1];
-    used.axial_rad = sensor[sensor_layout::kCommanded + 2];
-    state.clamped = rhythm_.rhythm().IsClamped(command, used);
+    state.used = command;
+    state.used.elevation_rad = sensor[sensor_layout::kCommanded];
+    state.used.plane_rad = sensor[sensor_layout::kCommanded + 1];
+    state.used.axial_rad = sensor[sensor_layout::kCommanded + 2];
   } else {
     state.distance_rad = rhythm_.rhythm().DistanceOutside(command.elevation_rad, command.plane_rad);
-    state.clamped = rhythm_.rhythm().IsClamped(command, used_);
+    state.used = used_;
   }
+  state.clamped = rhythm_.rhythm().IsClamped(command, state.used);
   state.connect_force_N = ConnectForce();
   AddLigaments(state);
   if (elements().has_thorax_contact()) {

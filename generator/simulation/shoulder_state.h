@@ -21,8 +21,10 @@ struct ShoulderState {
   JointAngles position_rad{};
   double fastest_rad_per_s = 0;  ///< of all hinges of the model
   double fastest_m_per_s = 0;    ///< of its slides
-  /// The plugin used another command: the nearest within the controls' ranges and the rhythm's.
-  bool clamped = false;
+  /// The command that was followed: the nearest within the controls' ranges and the rhythm's. The
+  /// plugin does not say how much of an offset that is.
+  ArmCommand used;
+  bool clamped = false;        ///< another one than the command
   double distance_rad = 0;     ///< of the command's direction from measured ones
   double connect_force_N = 0;  ///< with which the AC joint of a loop is held together
   std::array<double, kLigamentCount> ligament_m{};        ///< lengths

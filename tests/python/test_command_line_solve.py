@@ -29,7 +29,7 @@ SEED = 20090815
 
 SOLVED_COLUMNS = [
     *(f"{coordinate}_deg" for coordinate in COORDINATES),
-    *("clamped", "distance_deg", "origin"),
+    *("clamped", "used_elevation_deg", "used_plane_deg", "distance_deg", "origin"),
 ]
 PUBLISHED = ("--interpolation", "squad", "--closure", "table")
 
@@ -187,7 +187,8 @@ def test_the_angles_stand_after_the_input_in_a_fixed_order(solved: bytes) -> Non
         "elevation_deg,plane_deg,"
         "sc_protraction_deg,sc_elevation_deg,sc_rotation_deg,"
         "ac_internal_rotation_deg,ac_upward_rotation_deg,ac_tilt_deg,"
-        "gh_elevation_deg,gh_flexion_deg,gh_axial_deg,clamped,distance_deg,origin"
+        "gh_elevation_deg,gh_flexion_deg,gh_axial_deg,"
+        "clamped,used_elevation_deg,used_plane_deg,distance_deg,origin"
     )
 
 
@@ -276,7 +277,7 @@ def random_angles(girdle_fine: Girdle) -> list[str]:
     random = np.random.default_rng(SEED)
     lines = ["elevation_deg,plane_deg"]
     lines += [
-        f"{random.uniform(-10.0, 140.0)!r},{random.uniform(-30.0, 110.0)!r}"
+        f"{random.uniform(0.0, 140.0)!r},{random.uniform(-30.0, 110.0)!r}"
         for _ in range(RANDOM_POSES)
     ]
     rows = read_rows(girdle_fine("solve", "--in", "-", stdin="\n".join(lines).encode()).output)
@@ -639,7 +640,10 @@ def mistake(line: int, text: str, *patterns: str) -> WrongTable:
 
 
 WRONG_TABLES = {
-    "missing column": mistake(1, "trial,elevation_deg,plane", "'plane_deg' is missing", "plane$"),
+    "missing column": mistake(1, "trial,elevation_deg,psi", "'plane_deg' is missing", "psi$"),
+    "nearly a column": mistake(
+        1, "trial,elevation_deg,plane", "'plane' is not known", "mean 'plane_deg'"
+    ),
     "duplicate column": mistake(
         1, "plane_deg,elevation_deg,plane_deg", "'plane_deg' stands twice", "Rename or remove"
     ),
