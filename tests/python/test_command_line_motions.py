@@ -88,8 +88,11 @@ def test_an_arm_that_swings_back_goes_where_it_is_told_to(traced: Traced) -> Non
     by_time = {round(float(row["time_s"]), 6): row for row in rows}
     for time_s, elevation_deg, plane_deg in SWING:
         assert angle_deg(used(by_time[time_s]), direction(elevation_deg, plane_deg)) < 1
+        # The servos lag behind by a degree at 44 deg/s.
+        if time_s < 1:
+            assert angle_deg(humerus(by_time[time_s]), direction(elevation_deg, plane_deg)) < 1
     for row in rows:
-        assert angle_deg(used(row), humerus(row)) < 4, row["time_s"]
+        assert angle_deg(used(row), humerus(row)) < 3, row["time_s"]
 
 
 def test_a_file_of_positions_swings_back_as_a_motion_does(girdle_fine: Girdle) -> None:

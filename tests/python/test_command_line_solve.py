@@ -436,7 +436,7 @@ THREADED_ROWS = 20_000
 def threaded_lines() -> list[str]:
     """A header, then rows of uneven length, some with quoted fields."""
     random = np.random.default_rng(SEED)
-    poses = random.uniform((-10.0, -30.0), (140.0, 110.0), (THREADED_ROWS, 2))
+    poses = random.uniform((0.0, -30.0), (140.0, 110.0), (THREADED_ROWS, 2))
     decimals = random.integers(0, 15, THREADED_ROWS)
     return [
         "note,elevation_deg,plane_deg",
