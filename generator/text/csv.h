@@ -112,8 +112,8 @@ class CsvReader {
   /// Returns the position of a column. Throws if it is missing, naming those that are there.
   [[nodiscard]] std::size_t Column(std::string_view column) const;
   [[nodiscard]] bool HasColumn(std::string_view column) const noexcept;
-  /// Throws if the file has a column that is not among `known`, with the one that is meant if it is
-  /// nearly called so.
+  /// Throws if the file has a column that is not among `known`, whatever it is called: such a file
+  /// has no others.
   void ExpectOnlyColumns(const std::vector<std::string_view>& known) const;
   /// Throws if a column is nearly one of `known` (IsNearly), with the one that is meant.
   void ExpectNoneNearly(const std::vector<std::string_view>& known) const;

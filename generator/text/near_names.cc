@@ -65,7 +65,10 @@ bool IsNearly(std::string_view name, std::string_view known) {
   }
   const std::string plain = Plain(name);
   const std::string plain_known = Plain(known);
-  return Stem(plain) == Stem(plain_known) || IsOneSlipAway(plain, plain_known);
+  // One slip makes another name of a short one.
+  constexpr std::size_t kShortestToSlip = 5;
+  return Stem(plain) == Stem(plain_known) ||
+         (plain_known.size() >= kShortestToSlip && IsOneSlipAway(plain, plain_known));
 }
 
 }  // namespace girdle

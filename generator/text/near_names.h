@@ -12,7 +12,9 @@ namespace girdle {
 /// `known` itself. Capital letters and characters between words do not matter. It is nearly so if
 ///
 /// - it has the same stem and another unit or none: `axial`, `axial_rad`, `Axial (deg)`, `axials`;
-/// - or one letter is missing, too much, wrong, or two neighbours are exchanged: `plan_deg`.
+/// - or, of five letters and more, one is missing, too much, wrong, or two neighbours are
+/// exchanged:
+///   `plan_deg`.
 [[nodiscard]] bool IsNearly(std::string_view name, std::string_view known);
 
 }  // namespace girdle

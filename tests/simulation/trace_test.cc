@@ -45,11 +45,11 @@ TEST(Trace, HasCommandsAndDistanceInDegrees) {
   state.command =
       ReplayableCommand({RadiansFromDegrees(90), RadiansFromDegrees(45), RadiansFromDegrees(22.5),
                          RadiansFromDegrees(11.25), RadiansFromDegrees(-45)});
-  state.used = ReplayableCommand({RadiansFromDegrees(60), RadiansFromDegrees(30)});
+  state.used = ReplayableCommand({RadiansFromDegrees(22.5), RadiansFromDegrees(11.25)});
   state.distance_rad = RadiansFromDegrees(90);
   std::string row;
   AppendTraceRow(row, state);
-  EXPECT_TRUE(row.starts_with("0.5,90,45,22.5,11.25,-45,60,30,90,0,")) << row;
+  EXPECT_TRUE(row.starts_with("0.5,90,45,22.5,11.25,-45,22.5,11.25,90,0,")) << row;
 }
 
 TEST(Trace, TakesNoMoreThanItsSizeSays) {

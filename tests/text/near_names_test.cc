@@ -29,6 +29,7 @@ TEST(IsNearly, IsFalseOfTheNameItselfAndOfOthers) {
     EXPECT_FALSE(IsNearly(name, "plane_deg")) << name;
   }
   EXPECT_FALSE(IsNearly("frame", "time_s"));
+  EXPECT_FALSE(IsNearly("y_m", "x_m"));
   EXPECT_FALSE(IsNearly("gh_elevation_deg", "elevation_deg"));
 }
 
