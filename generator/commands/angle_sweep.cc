@@ -57,7 +57,8 @@ std::vector<double> SweepValues_deg(const SweptAngle& angle, const std::string& 
     if (end_deg < angle.lower_deg || end_deg > angle.upper_deg) {
       Fail(angle, text,
            NumberText(end_deg) + " is outside " + NumberText(angle.lower_deg) + " to " +
-               NumberText(angle.upper_deg) + " degrees. Give ends within");
+               NumberText(angle.upper_deg) + " degrees" + std::string(angle.because) +
+               ". Give ends within");
     }
   }
   if (to_deg < from_deg) {

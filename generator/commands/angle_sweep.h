@@ -17,12 +17,16 @@ struct SweptAngle {
   std::string_view example;  ///< for messages
   double lower_deg;
   double upper_deg;
+  std::string_view because = {};  ///< for messages: why the bounds are these
 };
 
 /// The elevations and planes of a map of all that an arm can reach, from somewhat behind the
 /// frontal plane to across the chest.
 inline constexpr const char* kWholeElevations = "0:180:5";
 inline constexpr const char* kWholePlanes = "-95:135:5";
+
+inline constexpr std::string_view kElevationsFromHanging =
+    ": elevation counts from 0, hanging, up to 180";
 
 /// Returns whether a text is meant as FROM:TO:STEP.
 [[nodiscard]] bool IsSweep(const std::string& text);

@@ -31,7 +31,8 @@ struct CompareArguments {
   bool json = false;
 };
 
-constexpr SweptAngle kElevation = {"--elevation", kWholeElevations, 0, kHalfCircle_deg};
+constexpr SweptAngle kElevation = {"--elevation", kWholeElevations, 0, kHalfCircle_deg,
+                                   kElevationsFromHanging};
 constexpr SweptAngle kPlane = {"--plane", kWholePlanes, -kHalfCircle_deg, kHalfCircle_deg};
 
 ComparisonMap ChosenMap(const CompareArguments& arguments) {

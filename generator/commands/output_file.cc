@@ -9,9 +9,11 @@
 
 #include <cerrno>
 #include <cstring>
+#include <iostream>
 #include <system_error>
 
 #include "text/input_error.h"
+#include "text/number_text.h"
 
 namespace girdle {
 namespace {
@@ -141,6 +143,30 @@ void OutputFile::Commit() {
 
 void OutputFile::Fail() const { FailWriting(path_); }
 
+void ExpectRoom(const std::string& option, const std::string& path, std::uintmax_t bytes) {
+  if (path.empty() || path == kStandardOutput) {
+    return;
+  }
+  std::error_code unknown;
+  const std::filesystem::path place =
+      std::filesystem::weakly_canonical(std::filesystem::absolute(path, unknown), unknown);
+  if (std::filesystem::exists(place, unknown) &&
+      !std::filesystem::is_regular_file(place, unknown)) {
+    return;
+  }
+  const std::filesystem::space_info space = std::filesystem::space(place.parent_path(), unknown);
+  if (!unknown && space.available < bytes) {
+    constexpr double kBytesPerGigabyte = 1e9;
+    constexpr int kDigits = 3;
+    const auto gigabytes = [](std::uintmax_t count) {
+      return SignificantText(static_cast<double>(count) / kBytesPerGigabyte, kDigits) + " GB";
+    };
+    throw InputError(option + " " + path + ": takes about " + gigabytes(bytes) + ", and " +
+                     gigabytes(space.available) +
+                     " are free there. Choose another place or a shorter motion");
+  }
+}
+
 void WriteFiles(const std::filesystem::path& folder,
                 const std::vector<std::pair<std::string, std::string>>& files) {
   std::error_code error;
@@ -164,5 +190,7 @@ void Print(std::string_view text) {
   standard_output.Write(text);
   standard_output.Commit();
 }
+
+void PrintNote(std::string_view line) { std::cerr << "girdle: " << line << "\n"; }
 
 }  // namespace girdle

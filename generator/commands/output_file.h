@@ -4,6 +4,7 @@
 /// Output that is complete or not there at all.
 #pragma once
 
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <string>
@@ -47,11 +48,18 @@ class OutputFile {
   std::FILE* file_ = nullptr;
 };
 
+/// Throws InputError if the disk of a file that an option names has less room than it needs.
+/// Nothing is known of standard output and of what is not a regular file.
+void ExpectRoom(const std::string& option, const std::string& path, std::uintmax_t bytes);
+
 /// Writes several files (name, text) into a folder, which is made if needed: all of them, or none.
 void WriteFiles(const std::filesystem::path& folder,
                 const std::vector<std::pair<std::string, std::string>>& files);
 
 /// Writes to standard output; throws InputError if it cannot be written.
 void Print(std::string_view text);
+
+/// Writes a line about the work that is done to standard error, where it is in nobody's way.
+void PrintNote(std::string_view line);
 
 }  // namespace girdle

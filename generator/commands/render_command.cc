@@ -3,17 +3,18 @@
 
 #include "commands/render_command.h"
 
-#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
 
+#include "commands/angle_arguments.h"
 #include "commands/output_file.h"
 #include "commands/picture_arguments.h"
 #include "commands/rhythm_arguments.h"
 #include "commands/simulation_module.h"
 #include "commands/word_argument.h"
 #include "text/input_error.h"
+#include "text/number_text.h"
 
 namespace girdle {
 namespace {
@@ -24,20 +25,13 @@ struct RenderArguments {
   std::string keyframe;
   std::string elevation;
   std::string plane;
+  AngleArguments angles;
   std::string girdle;
   std::string side;
   ViewArguments view;
   RhythmArguments rhythm;
   std::string plugin;
 };
-
-double Direction_rad(const std::string& option, const std::string& text) {
-  const double angle_deg = NumberArgument(option, text);
-  if (std::abs(angle_deg) > kFullCircle_deg) {
-    throw InputError(option + " " + text + ": expected degrees within -360 to 360");
-  }
-  return RadiansFromDegrees(angle_deg);
-}
 
 RenderRequest Requested(const RenderArguments& arguments) {
   RenderRequest request;
@@ -51,9 +45,14 @@ RenderRequest Requested(const RenderArguments& arguments) {
                      ": of which elevation? Give --elevation DEG as well");
   }
   if (!arguments.elevation.empty()) {
-    request.pose =
-        ArmCommand{Direction_rad("--elevation", arguments.elevation),
-                   arguments.plane.empty() ? 0 : Direction_rad("--plane", arguments.plane)};
+    const double elevation_deg = ElevationArgument_deg("--elevation", arguments.elevation,
+                                                       ReadingFrom(arguments.angles).convention);
+    const double plane_deg =
+        arguments.plane.empty() ? 0 : PlaneArgument_deg("--plane", arguments.plane);
+    request.pose = ArmCommand{RadiansFromDegrees(elevation_deg), RadiansFromDegrees(plane_deg)};
+  } else if (!arguments.angles.convention.empty()) {
+    throw InputError("--convention " + arguments.angles.convention +
+                     ": of which elevation? Give --elevation DEG as well");
   }
   ChooseWord("--girdle", arguments.girdle, request.girdle);
   if (!arguments.side.empty()) {
@@ -68,6 +67,18 @@ RenderRequest Requested(const RenderArguments& arguments) {
   return request;
 }
 
+// A line that says which direction is shown if it is not the one asked for.
+std::string UsedText(const RenderResult& result) {
+  if (!result.used_instead) {
+    return "";
+  }
+  constexpr int kDecimals = 3;
+  return "the direction lies outside the rhythm's range; the nearest is shown: elevation " +
+         RoundedText(DegreesFromRadians(result.used_instead->elevation_rad), kDecimals) +
+         ", plane " + RoundedText(DegreesFromRadians(result.used_instead->plane_rad), kDecimals) +
+         "\n";
+}
+
 void Render(const RenderArguments& arguments) {
   const RenderRequest request = Requested(arguments);
   ExpectSuffix("--out", arguments.out, ".png");
@@ -77,10 +88,7 @@ void Render(const RenderArguments& arguments) {
                                                 request, ChoiceFrom(arguments.rhythm));
   out.Write(result.png);
   out.Commit();
-  Print((result.clamped
-             ? "the direction lies outside the rhythm's range; the nearest pose was used\n"
-             : "") +
-        std::string("picture  ") + arguments.out + "\n");
+  Print(UsedText(result) + "picture  " + arguments.out + "\n");
 }
 
 }  // namespace
@@ -100,6 +108,7 @@ void AddRenderCommand(CLI::App& program) {
       ->type_name("DEG");
   verb->add_option("--plane", arguments->plane, "... and in this plane (default 0)")
       ->type_name("DEG");
+  AddConventionArgument(*verb, arguments->angles);
   verb->add_option("--girdle", arguments->girdle,
                    "measured (default), or frozen: clavicle and scapula stay where the skin was "
                    "bound (without a skin: at rest) and the arm turns in GH alone, to where it "

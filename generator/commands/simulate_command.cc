@@ -5,16 +5,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <system_error>
 #include <utility>
 #include <vector>
 
+#include "commands/angle_arguments.h"
 #include "commands/output_file.h"
 #include "commands/picture_arguments.h"
 #include "commands/progress.h"
@@ -22,7 +25,7 @@
 #include "commands/simulation_module.h"
 #include "commands/word_argument.h"
 #include "kinematics/lengths.h"
-#include "simulation/motion.h"
+#include "motions/motion.h"
 #include "text/input_error.h"
 #include "text/json_text.h"
 #include "text/number_text.h"
@@ -37,6 +40,8 @@ struct SimulateArguments {
   std::optional<std::string> plane;
   std::optional<std::string> seconds;
   std::optional<std::string> motion;
+  std::optional<std::string> longest;
+  AngleArguments angles;
   std::string trace;
   std::string controls;
   std::string picture;
@@ -51,14 +56,32 @@ struct SimulateArguments {
 
 // An elevation of `--raise FROM:TO`.
 double RaiseElevation(const SimulateArguments& arguments, const std::string& text) {
-  const std::optional<double> elevation_deg = FiniteNumber(text);
-  if (!elevation_deg || std::abs(*elevation_deg) > kFullCircle_deg) {
-    throw InputError(
-        "--raise '" + *arguments.raise + "': '" + text +
-        "' is not an elevation within -360 to 360. Give two in degrees with a colon between, "
-        "such as 15:120");
+  const std::string option = "--raise '" + *arguments.raise + "': ";
+  const std::optional<double> typed_deg = FiniteNumber(text);
+  if (!typed_deg) {
+    throw InputError(option + "'" + text +
+                     "' is not a number. Give two elevations in degrees with a colon between, such "
+                     "as 15:120");
   }
-  return RadiansFromDegrees(*elevation_deg);
+  try {
+    return RadiansFromDegrees(
+        ElevationRead_deg(*typed_deg, ReadingFrom(arguments.angles).convention));
+  } catch (const std::invalid_argument& error) {
+    throw InputError(option + text + ": " + error.what() + ", such as 15:120");
+  }
+}
+
+// How long a motion may be [s].
+double LongestMotion_s(const SimulateArguments& arguments) {
+  if (!arguments.longest) {
+    return kLongestMotion_s;
+  }
+  const double longest_s = NumberArgument("--longest", *arguments.longest);
+  if (longest_s <= 0 || longest_s > kLongestMotionAskedFor_s) {
+    throw InputError("--longest " + *arguments.longest + ": expected more than 0 and at most " +
+                     NumberText(kLongestMotionAskedFor_s) + " seconds, a year");
+  }
+  return longest_s;
 }
 
 MotionRequest Requested(const SimulateArguments& arguments) {
@@ -70,33 +93,33 @@ MotionRequest Requested(const SimulateArguments& arguments) {
   if (!arguments.side.empty()) {
     ChooseWord("--side", arguments.side, request.side.emplace());
   }
-  request.axial_from = ChosenWord<AxialFrom>("--axial-from", arguments.axial_from);
-  if (request.axial_from && !arguments.motion) {
+  request.axial_from = AxialFromOf(arguments.axial_from, arguments.angles);
+  if (!arguments.axial_from.empty() && !arguments.motion) {
     throw InputError("--axial-from belongs to the column axial_deg of a --motion. Leave it away");
   }
+  const double longest_s = LongestMotion_s(arguments);
   if (arguments.motion) {
     if (arguments.plane || arguments.seconds) {
       throw InputError(
           "--plane and --seconds belong to --raise; a --motion says both. Leave them away");
     }
-    request.motion = MotionFile{*arguments.motion};
+    request.motion = MotionFile{*arguments.motion, {ReadingFrom(arguments.angles), longest_s}};
     return request;
   }
+  ExpectNoUnit(arguments.angles);
   const std::string& raise = *arguments.raise;
   const std::size_t colon = std::min(raise.find(':'), raise.size());
-  const double plane_deg = NumberArgument("--plane", arguments.plane.value_or("0"));
-  if (std::abs(plane_deg) > kFullCircle_deg) {
-    throw InputError("--plane " + *arguments.plane + ": expected degrees within -360 to 360");
-  }
-  const double plane_rad = RadiansFromDegrees(plane_deg);
+  const double plane_rad =
+      RadiansFromDegrees(PlaneArgument_deg("--plane", arguments.plane.value_or("0")));
   ReachingRequest reaching;
   reaching.from = {RaiseElevation(arguments, raise.substr(0, colon)), plane_rad, 0};
   reaching.to = {RaiseElevation(arguments, raise.substr(std::min(colon + 1, raise.size()))),
                  plane_rad, 0};
   reaching.duration_s = NumberArgument("--seconds", arguments.seconds.value_or("2"));
-  if (reaching.duration_s <= 0 || reaching.duration_s > kLongestMotion_s) {
-    throw InputError("--seconds " + *arguments.seconds + ": expected more than 0 and at most " +
-                     NumberText(kLongestMotion_s));
+  if (reaching.duration_s <= 0 || reaching.duration_s > longest_s) {
+    throw InputError("--seconds " + arguments.seconds.value_or("2") +
+                     ": expected more than 0 and at most " + NumberText(longest_s) +
+                     ". For a longer motion give --longest SECONDS");
   }
   request.motion = reaching;
   return request;
@@ -168,10 +191,11 @@ std::string SummaryAsJson(const SimulateArguments& arguments, const SimulationSu
   json["picture"] = file(arguments.picture);
   json["video"] = file(arguments.video);
   json["frames"] = summary.frames;
-  json["rows"] = summary.rows;
+  json["rows"] = summary.tally.rows;
   json["duration_s"] = summary.duration_s;
-  json["clamped_rows"] = summary.clamped_rows;
-  json["worst_distance_deg"] = summary.worst_distance_deg;
+  json["clamped_rows"] = summary.tally.clamped;
+  json["modelled_rows"] = summary.tally.modelled;
+  json["worst_distance_deg"] = DegreesFromRadians(summary.tally.farthest_rad);
   json["worst_tracking_error_deg"] = summary.worst_error_deg;
   json["last_tracking_error_deg"] = summary.last_error_deg;
   json["loop_gaps_mm"] = nlohmann::ordered_json::object();
@@ -194,17 +218,18 @@ std::string LoopGapsAsText(const SimulationSummary& summary) {
 // What is said after a simulation: how it went, and a line for each file that was written.
 std::string SummaryAsText(const SimulateArguments& arguments, const SimulationSummary& summary) {
   constexpr int kDecimals = 3;
+  const CommandTally& tally = summary.tally;
   return "simulated " + RoundedText(summary.duration_s, kDecimals) + " s in " +
-         std::to_string(summary.rows) + " states; joints at most " +
+         std::to_string(tally.rows) + " states; joints at most " +
          RoundedText(summary.worst_error_deg, kDecimals) + " deg off their targets, " +
          RoundedText(summary.last_error_deg, kDecimals) + " at the end\n" +
-         (summary.clamped_rows > 0
-              ? std::to_string(summary.clamped_rows) +
+         (tally.clamped > 0
+              ? std::to_string(tally.clamped) +
                     " commands lay outside the rhythm's or the controls' ranges; the nearest pose "
                     "was used\n"
               : "") +
-         (summary.worst_distance_deg > 0
-              ? "up to " + RoundedText(summary.worst_distance_deg, kDecimals) +
+         (tally.farthest_rad > 0
+              ? "up to " + RoundedText(DegreesFromRadians(tally.farthest_rad), kDecimals) +
                     " deg from measured positions: modelled, not measured\n"
               : "") +
          LoopGapsAsText(summary) +
@@ -258,15 +283,25 @@ void Simulate(const SimulateArguments& arguments) {
   if (picture) {
     pictures.png = into(picture);
   }
+  const auto expect_room = [&](std::uintmax_t trace_bytes, std::uintmax_t controls_bytes) {
+    // They may be on one disk.
+    const std::uintmax_t bytes = (trace ? trace_bytes : 0) + (controls ? controls_bytes : 0);
+    ExpectRoom("--trace", arguments.trace, bytes);
+    ExpectRoom("--controls", arguments.controls, bytes);
+  };
   TerminalProgress progress("simulating", !prints_table);
   const SimulationSummary summary = simulation.simulate(
       arguments.model, ChosenPlugin(arguments.plugin), request, ChoiceFrom(arguments.rhythm),
-      into(trace), controls ? TextSink(into(controls)) : nullptr, pictures, std::ref(progress));
+      {expect_room, into(trace), controls ? TextSink(into(controls)) : nullptr}, pictures,
+      std::ref(progress));
   progress.Clear();
   for (std::optional<OutputFile>* const file : {&trace, &controls, &picture, &video}) {
     if (*file) {
       (*file)->Commit();
     }
+  }
+  if (arguments.motion) {
+    PrintNote(*arguments.motion + ": " + TallyText(summary.tally, summary.range));
   }
   if (prints_table) {
     return;  // the table is the output
@@ -293,8 +328,14 @@ void AddSimulateCommand(CLI::App& program) {
   verb->add_option("--seconds", arguments->seconds, "Duration of the raise (default 2)")
       ->type_name("S");
   verb->add_option("--motion", arguments->motion,
-                   "CSV with time_s, elevation_deg, plane_deg and optionally axial_deg")
+                   "CSV with time_s, elevation_deg, plane_deg and optionally axial_deg, shrug_deg, "
+                   "protraction_deg; starts at its first time")
       ->type_name("FILE");
+  verb->add_option("--longest", arguments->longest,
+                   "How long a motion may be (default 3600); longer ones are refused")
+      ->type_name("S");
+  AddConventionArgument(*verb, arguments->angles);
+  AddUnitArgument(*verb, arguments->angles);
   verb->add_option("--trace", arguments->trace, "CSV to write; - for standard output")
       ->type_name("FILE");
   verb->add_option("--controls", arguments->controls,

@@ -63,6 +63,13 @@ constexpr std::array<OutputColumns<SolvedRow, SolveAdditions>, 7> kSolveColumns 
      }},
     {[](const SolveAdditions&) { return Stems{std::string(kClampedStem)}; }, kNoUnit,
      [](const SolvedRow& row, std::size_t) -> Cell { return row.clamped ? 1.0 : 0.0; }},
+    {[](const SolveAdditions&) {
+       return Stems{std::string(kUsedElevationStem), std::string(kUsedPlaneStem)};
+     },
+     kDegrees,
+     [](const SolvedRow& row, std::size_t k) -> Cell {
+       return DegreesFromRadians(k == 0 ? row.used.elevation_rad : row.used.plane_rad);
+     }},
     {[](const SolveAdditions&) { return Stems{std::string(kDistanceStem)}; }, kDegrees,
      [](const SolvedRow& row, std::size_t) -> Cell {
        return DegreesFromRadians(row.distance_rad);
@@ -74,7 +81,7 @@ constexpr std::array<OutputColumns<SolvedRow, SolveAdditions>, 7> kSolveColumns 
      },
      kDegrees,
      [](const SolvedRow& row, std::size_t k) -> Cell {
-       return DegreesFromRadians(k == 0 ? row.used_axial_rad : row.used_axial_isb_rad);
+       return DegreesFromRadians(k == 0 ? row.used.axial_rad : row.used_axial_isb_rad);
      }},
     {RateStems, kNoUnit, Rate},
     {PointStems, kMillimeters,

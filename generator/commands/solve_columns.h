@@ -19,6 +19,8 @@ namespace girdle {
 
 /// Stems of columns that have the same names where one pose is answered as JSON.
 inline constexpr std::string_view kClampedStem = "clamped";
+inline constexpr std::string_view kUsedElevationStem = "used_elevation";
+inline constexpr std::string_view kUsedPlaneStem = "used_plane";
 inline constexpr std::string_view kDistanceStem = "distance";
 inline constexpr std::string_view kOriginStem = "origin";
 
@@ -34,9 +36,9 @@ struct SolveAdditions {
 struct SolvedRow {
   JointAngles angles_rad;  ///< in the order of kCoordinateNames
   bool clamped;
+  ArmCommand used;
   double distance_rad;
   Origin origin;
-  double used_axial_rad;               ///< counted from the rhythm's own turn
   double used_axial_isb_rad;           ///< ISB's third angle
   std::optional<ShoulderRates> rates;  ///< where they are asked for
   std::vector<ShoulderPoint> points;   ///< where they are asked for
@@ -44,9 +46,9 @@ struct SolvedRow {
 
 /// Returns the columns in their order:
 ///
-/// Nine angles, `sc_protraction_deg` and so on; `clamped`, `distance_deg`, `origin`;
-/// `used_axial_deg`, the humerus's turn on top of the rhythm's own, and `used_axial_isb_deg`, ISB's
-/// third angle.
+/// Nine angles, `sc_protraction_deg` and so on; `clamped`, the direction that is answered,
+/// `used_elevation_deg` and `used_plane_deg`; `distance_deg`, `origin`; `used_axial_deg`, the
+/// humerus's turn on top of the rhythm's own, and `used_axial_isb_deg`, ISB's third angle.
 ///
 /// With rates three columns a joint for each of elevation and plane, `sc_w_elevation_x` and so on:
 /// the angular velocity of the child in the parent, in the parent's axes [deg per deg].

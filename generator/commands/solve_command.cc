@@ -21,13 +21,14 @@
 
 #include "anatomy/built_in_anatomy.h"
 #include "commands/anatomy_arguments.h"
+#include "commands/angle_arguments.h"
 #include "commands/angle_sweep.h"
 #include "commands/output_file.h"
 #include "commands/rhythm_arguments.h"
 #include "commands/shoulder_points.h"
 #include "commands/solve_columns.h"
 #include "commands/solve_rows.h"
-#include "commands/word_argument.h"
+#include "motions/command_columns.h"
 #include "names/model_names.h"
 #include "text/input_error.h"
 #include "text/json_text.h"
@@ -49,6 +50,7 @@ struct SolveArguments {
   std::optional<std::string> plane_deg;
   std::optional<std::string> axial_deg;
   std::string axial_from;
+  AngleArguments angles;
   std::optional<std::string> shrug_deg;
   std::optional<std::string> protraction_deg;
   std::optional<std::string> posture;
@@ -65,11 +67,11 @@ constexpr const char* kAxialIsbKey = "axial_isb_deg";
 
 // A million positions; more belong into a file.
 constexpr std::uint64_t kMostSwept = 1'000'000;
-constexpr SweptAngle kSweptElevation = {"--elevation", kWholeElevations, -kFullCircle_deg,
-                                        kFullCircle_deg};
-constexpr SweptAngle kSweptPlane = {"--plane", kWholePlanes, -kFullCircle_deg, kFullCircle_deg};
+constexpr SweptAngle kSweptElevation = {"--elevation", kWholeElevations, -kHalfCircle_deg,
+                                        kHalfCircle_deg};
+constexpr SweptAngle kSweptPlane = {"--plane", kWholePlanes, -kMostTurned_deg, kMostTurned_deg};
 
-// One position of the arm as typed.
+// One position of the arm as typed, with the elevation as Girdle counts it.
 struct TypedPose {
   double elevation_deg;
   double plane_deg;
@@ -79,7 +81,7 @@ struct TypedPose {
   AxialFrom axial_from;
 
   [[nodiscard]] ArmCommand command() const {
-    return {RadiansFromDegrees(elevation_deg),   RadiansFromDegrees(plane_deg),
+    return {RadiansFromDegrees(elevation_deg),   RadiansFromDegrees(PlaneRead_deg(plane_deg)),
             RadiansFromDegrees(axial_deg),       RadiansFromDegrees(shrug_deg),
             RadiansFromDegrees(protraction_deg), axial_from};
   }
@@ -113,20 +115,34 @@ std::optional<double> ProtractionArgument(const SolveArguments& arguments) {
 
 // Without an axial turn there is nothing to count.
 AxialFrom ChosenAxialFrom(const SolveArguments& arguments) {
-  const AxialFrom axial_from =
-      ChosenWord<AxialFrom>("--axial-from", arguments.axial_from).value_or(AxialFrom::kRhythm);
-  if (axial_from != AxialFrom::kRhythm && !arguments.axial_deg && arguments.in.empty()) {
+  if (!arguments.axial_from.empty() && !arguments.axial_deg && arguments.in.empty()) {
     throw InputError("--axial-from " + arguments.axial_from +
                      ": no axial turn is given. Add --axial, or leave --axial-from away");
   }
-  return axial_from;
+  return AxialFromOf(arguments.axial_from, arguments.angles).value_or(AxialFrom::kRhythm);
 }
 
-double RequiredNumber(const std::string& option, const std::optional<std::string>& text) {
+const std::string& Required(const std::string& option, const std::optional<std::string>& text) {
   if (!text) {
     throw InputError(option + " is missing. One pose needs --elevation and --plane");
   }
-  return NumberArgument(option, *text);
+  return *text;
+}
+
+AngleConvention ConventionOf(const SolveArguments& arguments) {
+  return ReadingFrom(arguments.angles).convention;
+}
+
+double TypedElevation_deg(const SolveArguments& arguments) {
+  return ElevationArgument_deg("--elevation", Required("--elevation", arguments.elevation_deg),
+                               ConventionOf(arguments));
+}
+
+// As it was typed, whole turns too.
+double TypedPlane_deg(const SolveArguments& arguments) {
+  const std::string& text = Required("--plane", arguments.plane_deg);
+  static_cast<void>(PlaneArgument_deg("--plane", text));
+  return NumberArgument("--plane", text);
 }
 
 struct CellEdges {
@@ -340,9 +356,10 @@ std::string PoseAsText(const ShoulderRhythm& rhythm, const TypedPose& typed,
 }
 
 void SolveOne(const SolveArguments& arguments) {
-  const TypedPose typed = {RequiredNumber("--elevation", arguments.elevation_deg),
-                           RequiredNumber("--plane", arguments.plane_deg),
-                           NumberArgument("--axial", arguments.axial_deg.value_or("0")),
+  ExpectNoUnit(arguments.angles);
+  const TypedPose typed = {TypedElevation_deg(arguments),
+                           TypedPlane_deg(arguments),
+                           AxialArgument_deg("--axial", arguments.axial_deg.value_or("0")),
                            ShrugArgument(arguments).value_or(0),
                            ProtractionArgument(arguments).value_or(0),
                            ChosenAxialFrom(arguments)};
@@ -404,13 +421,15 @@ std::size_t ChosenThreads(const std::optional<std::string>& text) {
 RowOptions ChosenRowOptions(const SolveArguments& arguments) {
   RowOptions options;
   options.threads = ChosenThreads(arguments.threads);
-  options.axial_from = ChosenAxialFrom(arguments);
+  options.must_have_axial = !arguments.axial_from.empty();
   options.shrug_deg = ShrugArgument(arguments);
   options.protraction_deg = ProtractionArgument(arguments);
   options.additions = ChosenAdditions(arguments);
   if (arguments.axial_deg) {
-    options.axial_deg = NumberArgument("--axial", *arguments.axial_deg);
+    options.axial_deg = AxialArgument_deg("--axial", *arguments.axial_deg);
   }
+  options.reading = ReadingFrom(arguments.angles);
+  options.reading.axial_from = ChosenAxialFrom(arguments);
   return options;
 }
 
@@ -419,14 +438,29 @@ void SolveFile(const RowSource& source, const SolveArguments& arguments) {
   SolveRows(source, arguments.out, ChosenRhythm(arguments.rhythm), options);
 }
 
+std::vector<double> SweptElevations_deg(const SolveArguments& arguments) {
+  const std::string& text = Required("--elevation", arguments.elevation_deg);
+  if (!IsSweep(text)) {
+    return {TypedElevation_deg(arguments)};
+  }
+  std::vector<double> elevations_deg = SweepValues_deg(kSweptElevation, text, kMostSwept);
+  for (double& elevation_deg : elevations_deg) {
+    elevation_deg =
+        ElevationArgument_deg("--elevation", NumberText(elevation_deg), ConventionOf(arguments));
+  }
+  return elevations_deg;
+}
+
+std::vector<double> SweptPlanes_deg(const SolveArguments& arguments) {
+  const std::string& text = Required("--plane", arguments.plane_deg);
+  return IsSweep(text) ? SweepValues_deg(kSweptPlane, text, kMostSwept)
+                       : std::vector{TypedPlane_deg(arguments)};
+}
+
 // All combinations of the elevations and planes given.
 void SolveAllPositions(const SolveArguments& arguments) {
-  const auto values = [](const SweptAngle& angle, const std::optional<std::string>& text) {
-    return text && IsSweep(*text) ? SweepValues_deg(angle, *text, kMostSwept)
-                                  : std::vector{RequiredNumber(std::string(angle.option), text)};
-  };
-  const SweptPositions sweep{values(kSweptElevation, arguments.elevation_deg),
-                             values(kSweptPlane, arguments.plane_deg)};
+  ExpectNoUnit(arguments.angles);
+  const SweptPositions sweep{SweptElevations_deg(arguments), SweptPlanes_deg(arguments)};
   const std::size_t positions = sweep.elevations_deg.size() * sweep.planes_deg.size();
   if (positions > kMostSwept) {
     throw InputError("--elevation and --plane make " + std::to_string(positions) +
@@ -476,8 +510,11 @@ void Solve(const SolveArguments& arguments) {
     SolveFile({std::cin, "standard input", 0}, arguments);
     return;
   }
-  std::ifstream in = OpenTextFile(arguments.in);
   std::error_code unknown_size;
+  if (std::filesystem::is_regular_file(arguments.in, unknown_size)) {
+    ExpectKnownUnit(arguments.in, ReadingFrom(arguments.angles));
+  }
+  std::ifstream in = OpenTextFile(arguments.in);
   const std::uintmax_t bytes = std::filesystem::file_size(arguments.in, unknown_size);
   SolveFile({in, arguments.in, unknown_size ? 0 : bytes}, arguments);
 }
@@ -502,6 +539,8 @@ void AddSolveCommand(CLI::App& program) {
       ->type_name("DEG");
   AddAxialFromArgument(*verb, arguments->axial_from,
                        "What --axial or the column axial_deg is counted from (default rhythm)");
+  AddConventionArgument(*verb, arguments->angles);
+  AddUnitArgument(*verb, arguments->angles);
   verb->add_option("--shrug", arguments->shrug_deg,
                    "Clavicle raised beyond the rhythm, up to 35; down to -15")
       ->type_name("DEG");

@@ -8,7 +8,7 @@
 #include <atomic>
 #include <condition_variable>
 #include <exception>
-#include <limits>
+#include <fstream>
 #include <mutex>
 #include <string_view>
 #include <system_error>
@@ -20,55 +20,55 @@
 #include "commands/progress.h"
 #include "commands/shoulder_points.h"
 #include "kinematics/solve_many.h"
-#include "names/model_names.h"
+#include "motions/angle_span.h"
+#include "motions/arm_angles.h"
+#include "motions/command_columns.h"
+#include "motions/command_tally.h"
 #include "text/csv.h"
 #include "text/number_text.h"
+#include "text/text_file.h"
 
 namespace girdle {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-// A column of the input that says what is asked. A further one is a line in kCommandColumns.
-struct CommandColumn {
-  const char* name;
+// An option that stands in place of a column that may be missing, for all rows.
+struct ColumnOption {
+  const char* column;
+  const char* option;
   double ArmCommand::*angle_rad;
-  // For a column that may be missing: what stands in its place for all rows.
-  const char* option = nullptr;
-  std::optional<double> RowOptions::*option_deg = nullptr;
-  CoordinateRange bounds = {-kInfinity, kInfinity};
+  std::optional<double> RowOptions::*angle_deg;
 };
 
-constexpr std::array<CommandColumn, 5> kCommandColumns = {{
-    {kElevationColumn, &ArmCommand::elevation_rad},
-    {kPlaneColumn, &ArmCommand::plane_rad},
-    {kAxialColumn, &ArmCommand::axial_rad, "--axial", &RowOptions::axial_deg},
-    {kShrugColumn, &ArmCommand::shrug_rad, "--shrug", &RowOptions::shrug_deg, kShrugRange},
-    {kProtractionColumn, &ArmCommand::protraction_rad, "--protraction",
-     &RowOptions::protraction_deg, kProtractionRange},
+constexpr std::array<ColumnOption, 3> kColumnOptions = {{
+    {kAxialColumn, "--axial", &ArmCommand::axial_rad, &RowOptions::axial_deg},
+    {kShrugColumn, "--shrug", &ArmCommand::shrug_rad, &RowOptions::shrug_deg},
+    {kProtractionColumn, "--protraction", &ArmCommand::protraction_rad,
+     &RowOptions::protraction_deg},
 }};
 
 // Rows that are solved together, as they stand in the output before their answers.
 struct Rows {
   std::vector<std::string_view> lines;
   std::vector<ArmCommand> commands;
+  AngleSpan span;  // of the numbers of a file whose unit nobody said
 
   void Clear() noexcept {
     lines.clear();
     commands.clear();
+    span = {};
   }
 };
 
 // What a row asks where it has no column for it.
 ArmCommand CommandOf(const RowOptions& options) noexcept {
   ArmCommand command;
-  for (const CommandColumn& column : kCommandColumns) {
-    if (column.option != nullptr && options.*column.option_deg) {
-      command.*column.angle_rad = RadiansFromDegrees(*(options.*column.option_deg));
+  for (const ColumnOption& option : kColumnOptions) {
+    if (options.*option.angle_deg) {
+      command.*option.angle_rad = RadiansFromDegrees(*(options.*option.angle_deg));
     }
   }
   if (options.axial_deg) {
-    command.axial_from = options.axial_from;
+    command.axial_from = options.reading.axial_from;
   }
   return command;
 }
@@ -101,8 +101,10 @@ class RowAnswers {
     std::vector<double> distances_rad;
   };
 
-  // Solves rows and appends them, each with its answer, to `text`.
-  void Append(std::string& text, const Rows& rows, Solved& solved) const {
+  [[nodiscard]] Range range() const noexcept { return *rhythm_.options().range; }
+
+  // Solves rows and appends them, each with its answer, to `text`. Returns what became of them.
+  CommandTally Append(std::string& text, const Rows& rows, Solved& solved) const {
     const std::size_t count = rows.commands.size();
     solved.poses.resize(count);
     solved.angles_rad.resize(count);
@@ -111,12 +113,15 @@ class RowAnswers {
     solved.distances_rad.resize(count);
     SolveMany(rhythm_, rows.commands,
               {solved.poses, solved.angles_rad, solved.used, solved.origins, solved.distances_rad});
+    CommandTally tally;
     for (std::size_t i = 0; i < count; ++i) {
+      tally.Add(rhythm_, rows.commands[i], solved.used[i], solved.origins[i],
+                solved.distances_rad[i]);
       SolvedRow row{solved.angles_rad[i],
                     rhythm_.IsClamped(rows.commands[i], solved.used[i]),
+                    solved.used[i],
                     solved.distances_rad[i],
                     solved.origins[i],
-                    solved.used[i].axial_rad,
                     rhythm_.AxialOf(AxialFrom::kIsb, solved.poses[i], solved.used[i]),
                     std::nullopt,
                     {}};
@@ -131,6 +136,7 @@ class RowAnswers {
       columns_.Append(text, row);
       text += '\n';
     }
+    return tally;
   }
 
  private:
@@ -147,28 +153,25 @@ class CsvInput {
   // Throws InputError at the header if a column is missing or stands there beside the option that
   // replaces it. The reader has to outlive it.
   CsvInput(CsvReader& csv, std::uintmax_t bytes, const RowOptions& options)
-      : csv_(csv), bytes_(bytes), unless_given_(CommandOf(options)) {
-    for (const CommandColumn& column : kCommandColumns) {
-      if (column.option != nullptr && !csv.HasColumn(column.name)) {
-        continue;
-      }
-      columns_.push_back({csv.Column(column.name), column.angle_rad,
-                          TypedDegrees(column.bounds.lower_rad),
-                          TypedDegrees(column.bounds.upper_rad)});
-      if (column.option != nullptr && options.*column.option_deg) {
-        csv.Fail("the column " + std::string(column.name) + " and " + column.option +
+      : csv_(csv),
+        bytes_(bytes),
+        unless_given_(CommandOf(options)),
+        columns_(csv, options.reading) {
+    for (const ColumnOption& option : kColumnOptions) {
+      if (csv.HasColumn(option.column) && options.*option.angle_deg) {
+        csv.Fail("the column " + std::string(option.column) + " and " + option.option +
                  " exclude each other. Remove one");
       }
     }
-    if (csv.HasColumn(kAxialColumn)) {
-      unless_given_.axial_from = options.axial_from;
-    } else if (options.axial_from != AxialFrom::kRhythm && !options.axial_deg) {
-      csv.Fail("--axial-from " + std::string(Name(options.axial_from)) +
+    if (options.must_have_axial && !csv.HasColumn(kAxialColumn) && !options.axial_deg) {
+      csv.Fail("--axial-from " + std::string(Name(options.reading.axial_from)) +
                ": no axial turn is given. Add the column " + kAxialColumn +
                " or --axial, or leave --axial-from away");
     }
   }
 
+  // For messages.
+  [[nodiscard]] const std::string& name() const noexcept { return csv_.name(); }
   [[nodiscard]] const std::string& header_line() const noexcept { return csv_.header_line(); }
   // All there is of what SizeOf measures; 0 if that is not known.
   [[nodiscard]] std::uintmax_t size() const noexcept { return bytes_; }
@@ -186,13 +189,8 @@ class CsvInput {
     void Read(const Block& block, Rows& rows) {
       row_.Start(block);
       while (row_.Next()) {
-        ArmCommand command = input_.unless_given_;
-        for (const ReadColumn& column : input_.columns_) {
-          command.*column.angle_rad = RadiansFromDegrees(
-              row_.NumberWithin(column.index, column.lower_deg, column.upper_deg));
-        }
+        rows.commands.push_back(input_.columns_.Read(row_, input_.unless_given_, rows.span));
         rows.lines.push_back(row_.line());
-        rows.commands.push_back(command);
       }
     }
 
@@ -202,17 +200,10 @@ class CsvInput {
   };
 
  private:
-  struct ReadColumn {
-    std::size_t index;
-    double ArmCommand::*angle_rad;
-    double lower_deg;
-    double upper_deg;
-  };
-
   CsvReader& csv_;
   std::uintmax_t bytes_;
   ArmCommand unless_given_;
-  std::vector<ReadColumn> columns_;
+  CommandColumns columns_;
 };
 
 // All positions of a sweep, those of the first plane first.
@@ -229,6 +220,7 @@ class SweepInput {
   SweepInput(const SweptPositions& sweep, const RowOptions& options)
       : sweep_(sweep), unless_given_(CommandOf(options)) {}
 
+  [[nodiscard]] static std::string name() { return "--elevation, --plane"; }
   [[nodiscard]] static std::string header_line() {
     return std::string(kElevationColumn) + "," + kPlaneColumn;
   }
@@ -256,7 +248,7 @@ class SweepInput {
         const double plane_deg = input_.sweep_.planes_deg[i / elevations_deg.size()];
         ArmCommand command = input_.unless_given_;
         command.elevation_rad = RadiansFromDegrees(elevation_deg);
-        command.plane_rad = RadiansFromDegrees(plane_deg);
+        command.plane_rad = RadiansFromDegrees(PlaneRead_deg(plane_deg));
         rows.commands.push_back(command);
         AppendNumber(text_, elevation_deg);
         text_ += ',';
@@ -293,8 +285,9 @@ class RowWorkers {
         progress_(progress),
         unwritten_header_(input.header_line() + answers.HeaderText()) {}
 
-  // Answers all rows with so many threads. Throws the first error in the order of the rows.
-  void Run(std::size_t threads) {
+  // Answers all rows with so many threads and returns what became of them. Throws the first error
+  // in the order of the rows.
+  CommandTally Run(std::size_t threads) {
     std::vector<std::jthread> workers;
     // Of several, none is this thread: what it writes lies beside what all of them read, and they
     // would wait for each other's caches.
@@ -312,7 +305,9 @@ class RowWorkers {
     if (error_) {
       std::rethrow_exception(error_);
     }
+    span_.ExpectKnownUnit(input_.name());
     out_.Write(unwritten_header_);
+    return tally_;
   }
 
  private:
@@ -321,6 +316,8 @@ class RowWorkers {
     std::size_t turn;  // from 0, in the order of the input
     typename Input::Block block;
     std::string answer;
+    CommandTally tally;
+    AngleSpan span;
     std::exception_ptr error;
   };
 
@@ -370,7 +367,8 @@ class RowWorkers {
     workplace.rows.Clear();
     try {
       workplace.reader.Read(portion.block, workplace.rows);
-      answers_.Append(portion.answer, workplace.rows, workplace.solved);
+      portion.tally = answers_.Append(portion.answer, workplace.rows, workplace.solved);
+      portion.span = workplace.rows.span;
     } catch (...) {
       portion.error = std::current_exception();
     }
@@ -388,6 +386,8 @@ class RowWorkers {
         out_.Write(unwritten_header_);
         unwritten_header_.clear();
         out_.Write(portion.answer);
+        tally_.Add(portion.tally);
+        span_.Add(portion.span);
         size_done_ += Input::SizeOf(portion.block);
         if (input_.size() > 0) {
           progress_(
@@ -414,6 +414,8 @@ class RowWorkers {
   OutputFile& out_;
   TerminalProgress& progress_;
   std::uintmax_t size_done_ = 0;
+  CommandTally tally_;  // of the rows that are written
+  AngleSpan span_;
   std::string unwritten_header_;  // empty when it is written, which is with the first rows
   std::size_t turns_written_ = 0;
   std::exception_ptr error_;  // the first in the order of the rows
@@ -426,8 +428,10 @@ void SolveInput(Input& input, const RowAnswers& answers, const std::string& out,
                 std::size_t threads) {
   OutputFile file(out);
   TerminalProgress progress("solving", out != "-");
-  RowWorkers(input, answers, file, progress).Run(threads);
+  const CommandTally tally = RowWorkers(input, answers, file, progress).Run(threads);
   file.Commit();
+  progress.Clear();
+  PrintNote(input.name() + ": " + TallyText(tally, answers.range()));
 }
 
 }  // namespace
@@ -439,6 +443,20 @@ void SolveRows(const RowSource& source, const std::string& out, const ShoulderRh
   const RowAnswers answers(rhythm, options);
   answers.ExpectNoneIn(csv);
   SolveInput(input, answers, out, options.threads);
+}
+
+void ExpectKnownUnit(const std::string& path, const AngleReading& reading) {
+  if (reading.unit) {
+    return;
+  }
+  std::ifstream in = OpenTextFile(path);
+  CsvReader csv(in, path);
+  const CommandColumns columns(csv, reading);
+  AngleSpan span;
+  while (span.IsWithinRadians() && csv.Next()) {
+    static_cast<void>(columns.Read(csv.row(), {}, span));
+  }
+  span.ExpectKnownUnit(path);
 }
 
 void SolveSweep(const SweptPositions& sweep, const std::string& out, const ShoulderRhythm& rhythm,

@@ -13,15 +13,9 @@
 
 #include "commands/solve_columns.h"
 #include "kinematics/shoulder_rhythm.h"
+#include "motions/arm_angles.h"
 
 namespace girdle {
-
-/// Columns of the input, and of one pose as JSON the keys.
-inline constexpr const char* kElevationColumn = "elevation_deg";
-inline constexpr const char* kPlaneColumn = "plane_deg";
-inline constexpr const char* kAxialColumn = "axial_deg";
-inline constexpr const char* kShrugColumn = "shrug_deg";
-inline constexpr const char* kProtractionColumn = "protraction_deg";
 
 /// Where rows come from.
 struct RowSource {
@@ -31,7 +25,7 @@ struct RowSource {
 };
 
 /// All combinations of these, in the order of the output: the elevations of the first plane, then
-/// those of the next. Neither is empty.
+/// those of the next. Neither is empty. As Girdle counts them; planes may be whole turns on.
 struct SweptPositions {
   std::vector<double> elevations_deg;
   std::vector<double> planes_deg;
@@ -39,9 +33,10 @@ struct SweptPositions {
 
 /// What all rows have in common.
 struct RowOptions {
+  AngleReading reading;
   /// In place of their columns, which must not be there then.
   std::optional<double> axial_deg;
-  AxialFrom axial_from = AxialFrom::kRhythm;  ///< what axial turns that are given are counted from
+  bool must_have_axial = false;  ///< for what `reading` counts them from was asked for
   std::optional<double> shrug_deg;
   std::optional<double> protraction_deg;
   SolveAdditions additions;
@@ -54,9 +49,15 @@ struct RowOptions {
 /// standard output too.
 ///
 /// Throws InputError, with file and line, at the first row that cannot be solved. A file that was
-/// to be written is then as it was before; standard output has whole rows from before that row.
+/// to be written is then as it was before; standard output has whole rows from before that row. A
+/// stream that looks like radians (AngleSpan) shows only at its end; a file is to be asked before,
+/// with ExpectKnownUnit. At the end standard error has the line of TallyText.
 void SolveRows(const RowSource& source, const std::string& out, const ShoulderRhythm& rhythm,
                const RowOptions& options);
+
+/// Throws InputError if the rows of a file look like radians and options do not say their unit.
+/// Reads no further than the first row that does not.
+void ExpectKnownUnit(const std::string& path, const AngleReading& reading);
 
 /// Writes what SolveRows would write for a CSV with a row for each position.
 void SolveSweep(const SweptPositions& sweep, const std::string& out, const ShoulderRhythm& rhythm,

@@ -37,7 +37,8 @@ struct VerifyArguments {
 // somewhat across the chest.
 constexpr const char* kDefaultElevation = "30:150:10";
 constexpr const char* kDefaultPlane = "-30:120:10";
-constexpr SweptAngle kElevationSweep = {"--elevation", kDefaultElevation, 0, kHalfCircle_deg};
+constexpr SweptAngle kElevationSweep = {"--elevation", kDefaultElevation, 0, kHalfCircle_deg,
+                                        kElevationsFromHanging};
 constexpr SweptAngle kPlaneSweep = {"--plane", kDefaultPlane, -kHalfCircle_deg, kHalfCircle_deg};
 // Of each angle; a finer grid tells nothing more and takes minutes.
 constexpr std::uint64_t kMostValues = 181;

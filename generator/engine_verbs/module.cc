@@ -13,6 +13,7 @@
 
 #include "anatomy/built_in_anatomy.h"
 #include "kinematics/worst_case.h"
+#include "motions/motion.h"
 #include "pictures/frame_renderer.h"
 #include "pictures/gl_context.h"
 #include "pictures/png_file.h"
@@ -30,7 +31,6 @@
 #include "simulation/mapped_shoulder.h"
 #include "simulation/model_mapping.h"
 #include "simulation/model_skin.h"
-#include "simulation/motion.h"
 #include "simulation/shoulder_simulation.h"
 #include "simulation/trace.h"
 #include "text/input_error.h"
@@ -53,9 +53,11 @@ Motion RequestedMotion(const MotionRequest& request, AxialFrom axial_from) {
   if (const auto* const reaching = std::get_if<ReachingRequest>(&request.motion)) {
     return ReachingMotion("raise", reaching->from, reaching->to, reaching->duration_s);
   }
-  const std::string& path = std::get<MotionFile>(request.motion).path;
-  std::ifstream in = OpenTextFile(path);
-  return ReadMotion(in, path, axial_from);
+  const auto& file = std::get<MotionFile>(request.motion);
+  MotionReading reading = file.reading;
+  reading.angles.axial_from = axial_from;
+  std::ifstream in = OpenTextFile(file.path);
+  return ReadMotion(in, file.path, reading);
 }
 
 double LargestError_deg(const ShoulderState& state) {
@@ -132,11 +134,12 @@ void ExpectControls(const ShoulderSimulation& simulation) {
 }
 
 void AddTo(SimulationSummary& summary, const ShoulderState& state, const ShoulderRhythm& rhythm) {
-  ++summary.rows;
+  const ShoulderSolution solution = rhythm.Solve(state.command);
+  ArmCommand used = state.used;
   // The plugin's sensor does not say how much of an offset was left.
-  summary.clamped_rows += state.clamped || rhythm.Solve(state.command).clamped ? 1 : 0;
-  summary.worst_distance_deg =
-      WorseOf(summary.worst_distance_deg, DegreesFromRadians(state.distance_rad));
+  used.shrug_rad = solution.used.shrug_rad;
+  used.protraction_rad = solution.used.protraction_rad;
+  summary.tally.Add(rhythm, state.command, used, solution.origin, state.distance_rad);
   summary.duration_s = state.time_s;
   summary.last_error_deg = LargestError_deg(state);
   summary.worst_error_deg = WorseOf(summary.worst_error_deg, summary.last_error_deg);
@@ -151,8 +154,8 @@ void AddGaps(SimulationSummary& summary, const std::vector<double>& gaps_m) {
 
 SimulationSummary Simulate(const std::string& model_path, const std::string& plugin,
                            const MotionRequest& request, const RhythmChoice& rhythm,
-                           const TextSink& trace, const TextSink& controls,
-                           const PictureRequest& pictures, const ProgressSink& progress) {
+                           const SimulationSinks& sinks, const PictureRequest& pictures,
+                           const ProgressSink& progress) {
   const EngineWatch watch;
   LoadPlugin(plugin);
   ShoulderSimulation simulation = SimulationFor(model_path, request.side, rhythm);
@@ -163,21 +166,26 @@ SimulationSummary Simulate(const std::string& model_path, const std::string& plu
                            return simulation.AsModelCounts(asked.command(time_s));
                          }};
   const double timestep_s = simulation.timestep_s();
-  const auto steps = static_cast<long>(std::lround(motion.duration_s / timestep_s));
+  const long steps = std::lround(motion.duration_s / timestep_s);
   const auto command_at = [&](long step) {
     return ReplayableCommand(motion.command(static_cast<double>(step) * timestep_s));
   };
+  const std::string trace_header = TraceHeader(simulation.elements().assembly);
+  const std::string controls_header = ControlsHeader(simulation.TargetNames());
+  const auto rows = static_cast<std::uintmax_t>(steps) + 1;
+  sinks.sizes(SizeOfRows(trace_header, rows), SizeOfRows(controls_header, rows));
   SimulationPictures drawn(simulation, pictures);
   simulation.Start(command_at(0));
-  trace(TraceHeader(simulation.elements().assembly));
-  if (controls) {
+  sinks.trace(trace_header);
+  if (sinks.controls) {
     ExpectControls(simulation);
-    controls(ControlsHeader(simulation.TargetNames()));
+    sinks.controls(controls_header);
   }
   SimulationSummary summary;
   for (const std::string& name : simulation.LoopNames()) {
     summary.loop_gaps.push_back({name});
   }
+  summary.range = *simulation.rhythm().rhythm().options().range;
   std::string row;
   for (long step = 0; step <= steps; ++step) {
     // The last state has no step after it.
@@ -187,12 +195,12 @@ SimulationSummary Simulate(const std::string& model_path, const std::string& plu
                      : simulation.Observe(command_at(step));
     row.clear();
     AppendTraceRow(row, state);
-    trace(row);
+    sinks.trace(row);
     drawn.Add(state.time_s, step == steps);
-    if (controls) {
+    if (sinks.controls) {
       row.clear();
       AppendControlsRow(row, state.time_s, simulation.Targets());
-      controls(row);
+      sinks.controls(row);
     }
     AddTo(summary, state, simulation.rhythm().rhythm());
     AddGaps(summary, simulation.LoopGaps_m());
@@ -227,7 +235,8 @@ int KeyframeOf(const mjModel& model, const std::string& model_name, const std::s
 }
 
 // Puts the arms where the request has them.
-void Pose(ShoulderSimulation& simulation, const RenderRequest& request, bool& clamped) {
+void Pose(ShoulderSimulation& simulation, const RenderRequest& request,
+          std::optional<ArmCommand>& used_instead) {
   const AssembledRhythm& rhythm = simulation.rhythm();
   const ShoulderPose rest = rhythm.SolvePose({});
   const auto* const command = std::get_if<ArmCommand>(&request.pose);
@@ -236,7 +245,9 @@ void Pose(ShoulderSimulation& simulation, const RenderRequest& request, bool& cl
     if (command != nullptr) {
       ArmCommand used;
       const ShoulderPose raised = rhythm.SolvePose(*command, &used);
-      clamped = clamped || rhythm.rhythm().IsClamped(*command, used);
+      if (rhythm.rhythm().IsClamped(*command, used)) {
+        used_instead = used;
+      }
       simulation.PutAt(shoulder, is_meant ? raised : rest);
     }
     if (is_meant && request.girdle == GirdleMotion::kFrozen) {
@@ -276,7 +287,7 @@ RenderResult Render(const std::string& model_path, const std::string& plugin,
   if (key >= 0) {
     simulation.PutAtKeyframe(key);
   }
-  Pose(simulation, request, result.clamped);
+  Pose(simulation, request, result.used_instead);
   result.png = PngBytes(renderer.Draw(simulation.data()));
   return result;
 }

@@ -5,6 +5,8 @@
 /// it, so that the other verbs work where there is no MuJoCo.
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -12,6 +14,8 @@
 #include <vector>
 
 #include "anatomy/anatomy.h"
+#include "motions/command_tally.h"
+#include "motions/motion.h"
 #include "names/model_names.h"
 #include "pictures/picture_request.h"
 #include "pictures/view.h"
@@ -31,6 +35,7 @@ struct ReachingRequest {
 /// A motion in a CSV file.
 struct MotionFile {
   std::string path;
+  MotionReading reading;
 };
 
 struct MotionRequest {
@@ -48,16 +53,24 @@ struct LoopGap {
 };
 
 struct SimulationSummary {
-  std::size_t rows = 0;        ///< of the trace
-  double duration_s = 0;       ///< simulated
-  double worst_error_deg = 0;  ///< largest difference of a joint from its target
-  double last_error_deg = 0;   ///< the same in the last row
-  /// In which the command lay outside the rhythm's or the controls' ranges.
-  std::size_t clamped_rows = 0;
-  double worst_distance_deg = 0;  ///< farthest from measured data
-  long frames = 0;                ///< of the video
+  /// The rows of the trace. Clamped are those whose command lay outside the rhythm's or the
+  /// controls' ranges.
+  CommandTally tally;
+  Range range = Range::kWhole;  ///< of the rhythm
+  double duration_s = 0;        ///< simulated
+  double worst_error_deg = 0;   ///< largest difference of a joint from its target
+  double last_error_deg = 0;    ///< the same in the last row
+  long frames = 0;              ///< of the video
   /// The farthest, of each loop of the model; none of trees.
   std::vector<LoopGap> loop_gaps;
+};
+
+/// Where a simulation goes.
+struct SimulationSinks {
+  /// Told before anything is written about how many bytes trace and controls become; may throw.
+  std::function<void(std::uintmax_t trace, std::uintmax_t controls)> sizes;
+  TextSink trace;
+  TextSink controls;  ///< null for none
 };
 
 /// A pose that the model has a name for.
@@ -77,8 +90,9 @@ struct RenderRequest {
 };
 
 struct RenderResult {
-  std::string png;       ///< a PNG file
-  bool clamped = false;  ///< the command lay outside the rhythm's range; the nearest pose was used
+  std::string png;  ///< a PNG file
+  /// Where the command lay outside the rhythm's range: the one used in its place.
+  std::optional<ArmCommand> used_instead;
 };
 
 /// A model that is not ours, and where its arm is moved to [deg].
@@ -107,8 +121,8 @@ struct SimulationModule {
                              const std::string& plugin);
   SimulationSummary (*simulate)(const std::string& model, const std::string& plugin,
                                 const MotionRequest& request, const RhythmChoice& rhythm,
-                                const TextSink& trace, const TextSink& controls,
-                                const PictureRequest& pictures, const ProgressSink& progress);
+                                const SimulationSinks& sinks, const PictureRequest& pictures,
+                                const ProgressSink& progress);
   RenderResult (*render)(const std::string& model, const std::string& plugin,
                          const RenderRequest& request, const RhythmChoice& rhythm);
   /// Says what draws pictures here: `EGL device, llvmpipe (LLVM 15.0.6, 256 bits)`.

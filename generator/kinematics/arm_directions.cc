@@ -10,7 +10,12 @@ namespace girdle {
 
 double AngleFromRectangle(const ArmRectangle& rectangle, double elevation_rad,
                           double plane_rad) noexcept {
-  const double theta = std::clamp(elevation_rad, 0.0, kPi);
+  // An elevation below 0 or above pi is a direction in the opposite plane.
+  const double signed_rad = std::remainder(elevation_rad, 2 * kPi);
+  const double theta = std::abs(signed_rad);
+  if (signed_rad < 0) {
+    plane_rad += kPi;
+  }
   const double lowest = rectangle.lowest_elevation_rad;
   const double highest = rectangle.highest_elevation_rad;
   // The plane from the middle of the rectangle's, in [-pi, pi].

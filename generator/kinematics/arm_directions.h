@@ -23,8 +23,8 @@ struct ArmRectangle {
 };
 
 /// Returns the angle [rad] between the direction (elevation, plane) and the nearest direction of a
-/// rectangle; 0 inside. The rectangle has elevations in [0, pi] and planes less than a turn apart;
-/// the elevation is taken into [0, pi].
+/// rectangle; 0 inside. The rectangle has elevations in [0, pi] and planes less than a turn apart.
+/// The direction may be written with any finite angles: (-e, p) is (e, p + pi).
 [[nodiscard]] double AngleFromRectangle(const ArmRectangle& rectangle, double elevation_rad,
                                         double plane_rad) noexcept;
 

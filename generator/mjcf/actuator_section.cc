@@ -73,7 +73,9 @@ void WritePluginActuators(const ModelPlan& plan, XmlElement& actuator, Side side
         .Set("ctrlrange", std::array{range.lower_rad, range.upper_rad});
   };
   write_command(kCommandNames[0], {domain.lowest_elevation_rad, domain.highest_elevation_rad});
-  write_command(kCommandNames[1], {domain.first_plane_rad, domain.last_plane_rad});
+  // An angle: MuJoCo clips controls to their ranges before the rhythm, which answers every plane,
+  // sees them.
+  write_command(kCommandNames[1], {-kPi, kPi});
   write_command(kCommandNames[2], AxialRange(plan));
   if (plan.options.has_offsets) {
     write_command(kOffsetNames[0], kShrugRange);

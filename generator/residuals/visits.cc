@@ -9,8 +9,8 @@
 #include <string_view>
 
 #include "kinematics/knot_crossings.h"
+#include "motions/motion.h"
 #include "names/model_names.h"
-#include "simulation/motion.h"
 
 namespace girdle {
 namespace {

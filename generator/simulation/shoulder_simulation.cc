@@ -198,19 +198,18 @@ ShoulderState ShoulderSimulation::Derived(double time_s, const ArmCommand& comma
   if (has_plugin()) {
     const mjtNum* sensor = data().sensordata + elements().sensor;
     state.distance_rad = sensor[sensor_layout::kDistance];
-    ArmCommand used = command;
-    used.elevation_rad = sensor[sensor_layout::kCommanded];
-    used.plane_rad = sensor[sensor_layout::kCommanded + 1];
-    used.axial_rad = sensor[sensor_layout::kCommanded + 2];
-    used.axial_from = AxialFrom::kRhythm;
-    state.clamped = rhythm_.rhythm().IsClamped(AsModelCounts(command), used);
-    state.used_axial_rad = used.axial_rad;
+    state.used = command;
+    state.used.elevation_rad = sensor[sensor_layout::kCommanded];
+    state.used.plane_rad = sensor[sensor_layout::kCommanded + 1];
+    state.used.axial_rad = sensor[sensor_layout::kCommanded + 2];
+    state.used.axial_from = AxialFrom::kRhythm;
     state.used_axial_isb_rad = sensor[sensor_layout::kCommandedIsb];
+    state.clamped = rhythm_.rhythm().IsClamped(AsModelCounts(command), state.used);
   } else {
     state.distance_rad = rhythm_.rhythm().DistanceOutside(command.elevation_rad, command.plane_rad);
-    state.clamped = rhythm_.rhythm().IsClamped(command, used_);
-    state.used_axial_rad = used_.axial_rad;
+    state.used = used_;
     state.used_axial_isb_rad = rhythm_.rhythm().AxialOf(AxialFrom::kIsb, target_, used_);
+    state.clamped = rhythm_.rhythm().IsClamped(command, used_);
   }
   state.connect_force_N = ConnectForce();
   AddLigaments(state);

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "kinematics/assembled_rhythm.h"
+#include "motions/motion.h"
 #include "simulation/engine.h"
 #include "simulation/loaded_shoulders.h"
-#include "simulation/motion.h"
 #include "simulation/shoulder_elements.h"
 #include "simulation/shoulder_state.h"
 

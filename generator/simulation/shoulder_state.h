@@ -21,13 +21,14 @@ struct ShoulderState {
   JointAngles position_rad{};
   double fastest_rad_per_s = 0;  ///< of all hinges of the model
   double fastest_m_per_s = 0;    ///< of its slides
-  /// The plugin used another command: the nearest within the controls' ranges and the rhythm's.
-  bool clamped = false;
-  /// The axial turn of the command used, counted from the rhythm's own and as ISB's third angle.
-  double used_axial_rad = 0;
-  double used_axial_isb_rad = 0;
-  double distance_rad = 0;     ///< of the command's direction from measured ones
-  double connect_force_N = 0;  ///< with which the AC joint of a loop is held together
+  /// The command that was followed: the nearest within the controls' ranges and the rhythm's, its
+  /// axial turn counted from the rhythm's own. The plugin does not say how much of an offset that
+  /// is.
+  ArmCommand used;
+  double used_axial_isb_rad = 0;  ///< its axial turn as ISB's third angle
+  bool clamped = false;           ///< another one than the command
+  double distance_rad = 0;        ///< of the command's direction from measured ones
+  double connect_force_N = 0;     ///< with which the AC joint of a loop is held together
   std::array<double, kLigamentCount> ligament_m{};        ///< lengths
   std::array<double, kLigamentCount> ligament_force_N{};  ///< with which they pull
   /// With which the thorax pushes TS and AI, the larger one; 0 without thorax contact.

@@ -96,13 +96,20 @@ constexpr std::array<OutputColumns<ShoulderState, Assembly>, 8> kTraceColumns = 
     {[](const Assembly&) { return Stems{"time"}; }, kSeconds,
      [](const ShoulderState& state, std::size_t) -> Cell { return state.time_s; }},
     {CommandStems, kDegrees, CommandAngle},
+    {[](const Assembly&) {
+       return Stems{"used_elevation", "used_plane"};
+     },
+     kDegrees,
+     [](const ShoulderState& state, std::size_t k) -> Cell {
+       return DegreesFromRadians(k == 0 ? state.used.elevation_rad : state.used.plane_rad);
+     }},
     {[](const Assembly&) { return Stems{"distance"}; }, kDegrees,
      [](const ShoulderState& state, std::size_t) -> Cell {
        return DegreesFromRadians(state.distance_rad);
      }},
     {UsedAxialStems, kDegrees,
      [](const ShoulderState& state, std::size_t k) -> Cell {
-       return DegreesFromRadians(k == 0 ? state.used_axial_rad : state.used_axial_isb_rad);
+       return DegreesFromRadians(k == 0 ? state.used.axial_rad : state.used_axial_isb_rad);
      }},
     {TargetStems, kDegrees,
      [](const ShoulderState& state, std::size_t k) -> Cell {
@@ -129,6 +136,13 @@ ArmCommand ReplayableCommand(const ArmCommand& command) noexcept {
 
 std::string TraceHeader(Assembly assembly) {
   return TraceColumns(kTraceColumns, assembly).Header() + "\n";
+}
+
+std::uintmax_t SizeOfRows(const std::string& header, std::uintmax_t rows) noexcept {
+  // A double has 17 digits at most, a sign, a point, and a comma behind it.
+  constexpr std::uintmax_t kBytesOfNumber = 20;
+  const auto commas = static_cast<std::uintmax_t>(std::count(header.begin(), header.end(), ','));
+  return header.size() + rows * (commas + 1) * kBytesOfNumber;
 }
 
 void AppendTraceRow(std::string& text, const ShoulderState& state) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "text/input_error.h"
+#include "text/near_names.h"
 #include "text/number_text.h"
 
 namespace girdle {
@@ -300,6 +301,27 @@ void CsvReader::ExpectOnlyColumns(const std::vector<std::string_view>& known) co
     if (std::find(known.begin(), known.end(), column) == known.end()) {
       Fail("column '" + column + "' is not known. Remove it or correct its name");
     }
+  }
+}
+
+void CsvReader::ExpectNoneNearly(const std::vector<std::string_view>& known) const {
+  for (const std::string& column : columns()) {
+    ExpectNotNearly(column, known);
+  }
+}
+
+void CsvReader::ExpectNotNearly(const std::string& column,
+                                const std::vector<std::string_view>& known) const {
+  // A known name is meant as it stands, even where another one is nearly it.
+  if (std::find(known.begin(), known.end(), column) != known.end()) {
+    return;
+  }
+  const auto meant = std::find_if(known.begin(), known.end(), [&column](std::string_view name) {
+    return IsNearly(column, name);
+  });
+  if (meant != known.end()) {
+    Fail("column '" + column + "' is not known. Did you mean '" + std::string(*meant) +
+         "'? Correct its name, or give it one that is less alike");
   }
 }
 

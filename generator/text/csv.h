@@ -63,6 +63,10 @@ class CsvRows {
 
   /// Line number of the current row, from 1.
   [[nodiscard]] std::size_t line_number() const noexcept { return line_number_; }
+  /// The name of a column in the header.
+  [[nodiscard]] const std::string& ColumnName(std::size_t column) const {
+    return header_.columns[column];
+  }
 
  private:
   const CsvHeader& header_;
@@ -108,10 +112,14 @@ class CsvReader {
   /// Returns the position of a column. Throws if it is missing, naming those that are there.
   [[nodiscard]] std::size_t Column(std::string_view column) const;
   [[nodiscard]] bool HasColumn(std::string_view column) const noexcept;
-  /// Throws if the file has a column that is not among `known`.
+  /// Throws if the file has a column that is not among `known`, whatever it is called: such a file
+  /// has no others.
   void ExpectOnlyColumns(const std::vector<std::string_view>& known) const;
+  /// Throws if a column is nearly one of `known` (IsNearly), with the one that is meant.
+  void ExpectNoneNearly(const std::vector<std::string_view>& known) const;
 
-  /// Of the current row, as in CsvRows.
+  /// The current row, and what CsvRows says of it.
+  [[nodiscard]] const CsvRows& row() const noexcept { return rows_; }
   [[nodiscard]] std::string_view line() const noexcept { return rows_.line(); }
   [[nodiscard]] std::string_view Field(std::size_t column) const { return rows_.Field(column); }
   [[nodiscard]] double Number(std::size_t column) const { return rows_.Number(column); }
@@ -126,6 +134,7 @@ class CsvReader {
 
  private:
   void ReadHeader();
+  void ExpectNotNearly(const std::string& column, const std::vector<std::string_view>& known) const;
   /// As TakeBlock, with the empty lines.
   [[nodiscard]] bool TakeLines(CsvBlock& block);
 

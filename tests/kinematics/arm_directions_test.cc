@@ -123,8 +123,11 @@ INSTANTIATE_TEST_SUITE_P(
                     DistanceCase{"a level arm across", 90, 135, 45},
                     DistanceCase{"a whole turn on", 90, 405, 0},
                     DistanceCase{"a whole turn back", 90, -380, 20},
-                    DistanceCase{"an elevation below 0 counts as 0", -3, 40, 15},
-                    DistanceCase{"an elevation above 180 counts as 180", 190, 40, 60},
+                    DistanceCase{"an elevation below 0, inside in the opposite plane", -90, 220, 0},
+                    DistanceCase{"an elevation above 180, inside in the opposite plane", 270, 220,
+                                 0},
+                    // acos(sin 15 cos 130): from (90, 220) the corner (15, 90) is nearest.
+                    DistanceCase{"a level arm, written backwards", -90, 40, 99.57657851556995},
                     DistanceCase{"a hair beyond", 90, 90.000001, 0.000001}));
 
 }  // namespace

@@ -464,14 +464,15 @@ TEST(PluginModel, TakesCommandsForAllThatAnArmReaches) {
   EXPECT_EQ(NumbersOf(model.Named("plugin", "elevation_r"), "ctrlrange"),
             (std::vector<double>{0, RadiansFromDegrees(180)}));
   EXPECT_EQ(NumbersOf(model.Named("plugin", "plane_r"), "ctrlrange"),
-            (std::vector<double>{RadiansFromDegrees(-95), RadiansFromDegrees(135)}));
+            (std::vector<double>{-kPi, kPi}))
+      << "an angle: the rhythm answers what is not reached";
 }
 
-TEST(PublishedModel, TakesCommandsWithinTheTable) {
+TEST(PublishedModel, TakesElevationsWithinTheTableAndEveryPlane) {
   EXPECT_EQ(NumbersOf(PublishedModel().Named("plugin", "elevation_r"), "ctrlrange"),
             (std::vector<double>{RadiansFromDegrees(15), RadiansFromDegrees(120)}));
   EXPECT_EQ(NumbersOf(PublishedModel().Named("plugin", "plane_r"), "ctrlrange"),
-            (std::vector<double>{0, RadiansFromDegrees(90)}));
+            (std::vector<double>{-kPi, kPi}));
 }
 
 TEST(PluginModel, TakesAxialCommandsThatKeepTheHumerusWithinItsRangeInTheTable) {

@@ -370,10 +370,12 @@ def distance_from_measured_deg(elevation_deg: Array | float, plane_deg: Array | 
 
     so the best p is the one nearest to psi, whatever t is, and the sum is a cosine of t with its
     top at atan2(sin(theta) cos(psi - p), cos(theta)). Where that t is not measured, the best is at
-    one of the ends.
+    one of the ends. (-theta, psi) is the direction (theta, psi + 180).
     """
-    theta = np.radians(np.clip(elevation_deg, 0.0, 180.0))
-    psi = np.radians(np.asarray(plane_deg, dtype=float))
+    signed = np.radians(np.asarray(elevation_deg, dtype=float))
+    signed = np.arctan2(np.sin(signed), np.cos(signed))
+    theta = np.abs(signed)
+    psi = np.radians(np.asarray(plane_deg, dtype=float)) + np.where(signed < 0.0, np.pi, 0.0)
     arm = arm_direction(theta, psi)
 
     middle = (FRONTAL + SAGITTAL) / 2.0

@@ -7,6 +7,7 @@ from __future__ import annotations
 import io
 import json
 import os
+import re
 import subprocess
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -211,8 +212,9 @@ def test_the_side_says_which_arm_is_raised(girdle_fine: Girdle, draw: Draw, tmp_
 
 
 def test_a_direction_out_of_reach_is_said(girdle_fine: Girdle, scene: Path) -> None:
-    finished = girdle_fine("render", scene, *SMALL, "--out", "a.png", "--elevation", "200")
-    assert "the nearest pose was used" in finished.text
+    arm = ("--elevation", "150", "--plane=-31")
+    finished = girdle_fine("render", scene, *SMALL, "--out", "a.png", *arm)
+    assert re.search(r"the nearest is shown: elevation \S+, plane -30\n", finished.text)
 
 
 def add_skin(root: ElementTree.Element) -> None:
@@ -395,7 +397,8 @@ def literal(text: str) -> str:
         (("--show", "skin"), "has no skin to show"),
         (("--girdle", "stiff"), "--girdle stiff: not known. Choose one of: measured, frozen"),
         (("--elevation", "up"), "--elevation 'up': not a finite number"),
-        (("--elevation", "361"), "--elevation 361: expected degrees within -360 to 360"),
+        (("--elevation", "181"), "--elevation 181: expected 0 to 180 degrees"),
+        (("--convention", "isb"), "--convention isb: of which elevation"),
         (("--plane", "40"), "--plane 40: of which elevation"),
         (("--elevation", "9", "--keyframe", "rest"), "Give either --keyframe, or --elevation"),
         (("--side", "right"), "--side right: a keyframe is one of the whole model"),

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from xml.etree import ElementTree
 
+import numpy as np
 import pytest
 from conftest import (
     MODEL_FILE,
@@ -39,6 +40,8 @@ TRACE_COLUMNS = [
     "time_s",
     *COMMANDS,
     *OFFSETS,
+    "used_elevation_deg",
+    "used_plane_deg",
     "distance_deg",
     "used_axial_deg",
     "used_axial_isb_deg",
@@ -134,7 +137,7 @@ def commands_deg(rows: list[dict[str, float]], column: str) -> list[float]:
     return [row[column] for row in rows]
 
 
-@pytest.mark.parametrize(("low", "high"), [("15", "120"), ("-10.5", "60"), ("90", "30")])
+@pytest.mark.parametrize(("low", "high"), [("15", "120"), ("10.5", "60"), ("90", "30")])
 def test_a_raise_runs_from_one_elevation_to_the_other(
     girdle_fine: Girdle, scene: Path, low: str, high: str
 ) -> None:
@@ -161,6 +164,24 @@ MOTION = (
 )
 
 
+def direction(elevation_deg: float, plane_deg: float) -> np.ndarray:
+    """The humerus's unit vector in the thorax: x forward, y up, z to the right."""
+    theta, psi = math.radians(elevation_deg), math.radians(plane_deg)
+    return np.array(
+        [math.sin(theta) * math.sin(psi), -math.cos(theta), math.sin(theta) * math.cos(psi)]
+    )
+
+
+def slerp_deg(
+    start: tuple[float, float], end: tuple[float, float], share: float
+) -> tuple[float, float]:
+    """Elevation and plane a share of the way along the great circle."""
+    a, b = direction(*start), direction(*end)
+    whole = math.acos(a @ b)
+    x, y, z = (math.sin((1 - share) * whole) * a + math.sin(share * whole) * b) / math.sin(whole)
+    return math.degrees(math.acos(-y)), math.degrees(math.atan2(x, z))
+
+
 def test_a_motion_file_is_followed_straight_from_row_to_row(
     girdle_fine: Girdle, scene: Path, tmp_path: Path
 ) -> None:
@@ -171,10 +192,10 @@ def test_a_motion_file_is_followed_straight_from_row_to_row(
         0.0: (20, 5, 0),
         0.05: (30, 5, 5),
         0.1: (40, 5, 10),
-        0.15: (55, 25, 5),
-        0.2: (70, 45, 0),
+        0.15: (*slerp_deg((40, 5), (100, 85), 0.25), 5),
+        0.2: (*slerp_deg((40, 5), (100, 85), 0.5), 0),
         0.3: (100, 85, -10),
-        0.35: (95, 82.5, -5),
+        0.35: (*slerp_deg((100, 85), (90, 80), 0.5), -5),
         0.4: (90, 80, 0),
     }
     for time_s, command_deg in expected_deg.items():
@@ -272,10 +293,18 @@ NO_MOTIONS: list[tuple[tuple[str, ...], tuple[str, ...]]] = [
     (("--raise", "15:12O"), ("--raise", "12O", "15:120")),
     (("--raise", "l5:120"), ("--raise", "l5", "15:120")),
     (("--raise", "15:nan"), ("--raise", "nan", "15:120")),
+    (("--raise", "-15:120"), ("--raise", "-15: elevation counts from 0", "--convention isb")),
+    (("--raise", "15:181"), ("--raise", "181: expected 0 to 180")),
     (("--raise", ":"), ("--raise", "15:120")),
     (("--raise", "15:60:120"), ("--raise", "60:120", "15:120")),
     # As a motion file may not hold.
-    (("--raise", "1e300:120"), ("--raise", "1e300", "360|15:120")),
+    (("--raise", "1e300:120"), ("--raise", "1e300", "180")),
+    (("--raise", "15:120", "--plane", "1e300"), ("--plane 1e300", "-3600 to 3600")),
+    (("--raise", "15:120", "--seconds", "3601"), ("--seconds 3601", "3600", "--longest")),
+    (("--raise", "15:120", "--angles", "rad"), ("--angles rad", "of a file")),
+    (("--motion", "motion.csv", "--longest", "0.3"), ("motion.csv:5: ", "at most 0.3", "--longest")),
+    (("--motion", "motion.csv", "--longest", "0"), ("--longest 0", "more than 0")),
+    (("--motion", "motion.csv", "--longest", "1e9"), ("--longest 1e9", "a year")),
     (("--raise", "15:120", "--plane", "4O"), ("--plane '4O'", "such as --plane")),
     (("--raise", "15:120", "--plane", "inf"), ("--plane 'inf'", "such as --plane")),
     (("--raise", "15:120", "--plane", ""), ("--plane", "empty|such as --plane")),
@@ -328,13 +357,14 @@ def replaced(line: int, old: str, new: str, *patterns: str) -> WrongMotion:
     [
         replaced(3, "\n0.1,", "\n0,", "time_s is 0", "does not increase", "previous 0"),
         replaced(4, "\n0.3,", "\n0.05,", "time_s is 0.05", "does not increase", "previous 0.1"),
-        replaced(2, "\n0,", "\n-0.1,", "time_s is -0.1", "expected 0 to"),
-        replaced(5, "\n0.4,", "\n1e9,", "time_s is 1e\\+09", "expected 0 to"),
+        replaced(5, "\n0.4,", "\n1e9,", "time_s is 1e\\+09", "at most 3600", "--longest"),
         replaced(3, ",40,", ",4O,", "elevation_deg is '4O'", "such as"),
-        replaced(3, ",40,", ",400,", "elevation_deg is 400", "expected -360 to 360"),
+        replaced(3, ",40,", ",400,", "elevation_deg is 400", "expected 0 to 180"),
+        replaced(3, ",40,", ",181,", "elevation_deg is 181", "expected 0 to 180"),
+        replaced(3, ",5,10", ",1e300,10", "plane_deg is 1e\\+300", "-3600 to 3600"),
         replaced(3, ",40,", ",nan,", "elevation_deg is 'nan'", "finite"),
         replaced(3, "0.1,40,5,10", "0.1,40,5", "3 fields, expected 4"),
-        replaced(1, "axial_deg", "axial", "'axial' is not known", "Remove"),
+        replaced(1, "axial_deg", "axial", "'axial' is not known", "mean 'axial_deg'"),
         replaced(1, "time_s", "axial_deg", "'axial_deg' stands twice", "Rename"),
         replaced(1, ",plane_deg", "", "'plane_deg' is missing"),
         WrongMotion(lambda motion: motion.splitlines()[0] + "\n", 1, ("no rows",)),
@@ -380,9 +410,10 @@ def test_the_summary_says_that_a_motion_leaves_what_was_measured(
 
 
 def test_commands_out_of_reach_are_counted(girdle_fine: Girdle, scene: Path) -> None:
-    motion = ("simulate", scene, "--raise", "170:190", "--plane", "0", "--seconds", "0.2")
+    """In plane -30 an arm goes all the way up, in plane -31 it does not."""
+    motion = ("simulate", scene, "--raise", "60:175", "--plane", "-31", "--seconds", "0.2")
     rows = read_trace(girdle_fine(*motion, "--trace", "-").text)
-    beyond = sum(row["elevation_deg"] > 180 for row in rows)
+    beyond = sum(row["used_plane_deg"] > -31 + ROUNDING for row in rows)
     assert 0 < beyond < len(rows)
     assert json.loads(girdle_fine(*motion, "--json").text)["clamped_rows"] == beyond
     assert f"{beyond} commands lay outside" in girdle_fine(*motion).text

@@ -29,7 +29,8 @@ SEED = 20090815
 
 SOLVED_COLUMNS = [
     *(f"{coordinate}_deg" for coordinate in COORDINATES),
-    *("clamped", "distance_deg", "origin", "used_axial_deg", "used_axial_isb_deg"),
+    *("clamped", "used_elevation_deg", "used_plane_deg", "distance_deg", "origin"),
+    *("used_axial_deg", "used_axial_isb_deg"),
 ]
 PUBLISHED = ("--interpolation", "squad", "--closure", "table")
 
@@ -187,7 +188,8 @@ def test_the_angles_stand_after_the_input_in_a_fixed_order(solved: bytes) -> Non
         "elevation_deg,plane_deg,"
         "sc_protraction_deg,sc_elevation_deg,sc_rotation_deg,"
         "ac_internal_rotation_deg,ac_upward_rotation_deg,ac_tilt_deg,"
-        "gh_elevation_deg,gh_flexion_deg,gh_axial_deg,clamped,distance_deg,origin,"
+        "gh_elevation_deg,gh_flexion_deg,gh_axial_deg,"
+        "clamped,used_elevation_deg,used_plane_deg,distance_deg,origin,"
         "used_axial_deg,used_axial_isb_deg"
     )
 
@@ -277,7 +279,7 @@ def random_angles(girdle_fine: Girdle) -> list[str]:
     random = np.random.default_rng(SEED)
     lines = ["elevation_deg,plane_deg"]
     lines += [
-        f"{random.uniform(-10.0, 140.0)!r},{random.uniform(-30.0, 110.0)!r}"
+        f"{random.uniform(0.0, 140.0)!r},{random.uniform(-30.0, 110.0)!r}"
         for _ in range(RANDOM_POSES)
     ]
     rows = read_rows(girdle_fine("solve", "--in", "-", stdin="\n".join(lines).encode()).output)
@@ -436,7 +438,7 @@ THREADED_ROWS = 20_000
 def threaded_lines() -> list[str]:
     """A header, then rows of uneven length, some with quoted fields."""
     random = np.random.default_rng(SEED)
-    poses = random.uniform((-10.0, -30.0), (140.0, 110.0), (THREADED_ROWS, 2))
+    poses = random.uniform((0.0, -30.0), (140.0, 110.0), (THREADED_ROWS, 2))
     decimals = random.integers(0, 15, THREADED_ROWS)
     return [
         "note,elevation_deg,plane_deg",
@@ -640,7 +642,10 @@ def mistake(line: int, text: str, *patterns: str) -> WrongTable:
 
 
 WRONG_TABLES = {
-    "missing column": mistake(1, "trial,elevation_deg,plane", "'plane_deg' is missing", "plane$"),
+    "missing column": mistake(1, "trial,elevation_deg,psi", "'plane_deg' is missing", "psi$"),
+    "nearly a column": mistake(
+        1, "trial,elevation_deg,plane", "'plane' is not known", "mean 'plane_deg'"
+    ),
     "duplicate column": mistake(
         1, "plane_deg,elevation_deg,plane_deg", "'plane_deg' stands twice", "Rename or remove"
     ),

@@ -282,14 +282,11 @@ def foot_deg(elevation_deg: float, beyond_deg: float) -> float:
 @pytest.mark.parametrize(
     ("elevation", "plane", "used"),
     [
-        (190, 30, {"elevation": 180}),
-        (-5, 30, {"elevation": 0}),
         # Beside a plane the foot of the perpendicular: tan(foot) = tan(elevation) cos(beyond).
         (60, 150, {"elevation": foot_deg(60, 15), "plane": 135}),
         (60, -210, {"elevation": foot_deg(60, 15), "plane": 135}),
         (60, -100, {"elevation": foot_deg(60, 5), "plane": -95}),
         (150, -45, {"elevation": foot_deg(150, 15), "plane": -30}),
-        (200, -50, {"elevation": 180, "plane": -30}),
         # Behind the body elevations end at 62.5.
         (70, -90, {"elevation": 62.5}),
         # Far from all that is reached: in the middle of its planes.
@@ -585,8 +582,6 @@ def test_second_derivatives_of_the_rotations_are_the_limits_of_differences(
 @pytest.mark.parametrize(
     ("elevation", "plane", "by", "range_"),
     [
-        (190, 30, "elevation", "whole"),
-        (-5, 30, "elevation", "whole"),
         (60, 100, "plane", "clamp"),
         (60, -50, "plane", "clamp"),
         (130, 30, "elevation", "clamp"),
@@ -755,7 +750,7 @@ def test_the_threads_of_a_sweep_change_nothing(girdle_fine: Girdle) -> None:
         ("30:60:-5", "the step is -5.* positive"),
         ("30:60:7", "do not meet 60. End at 58 or change the step"),
         ("30:60:1e-9", "more than 1000000 positions. Give a larger step"),
-        ("30:400:5", "400 is outside -360 to 360"),
+        ("30:4000:5", "4000 is outside -"),
     ],
 )
 def test_a_wrong_sweep_is_refused_with_the_fix(

@@ -190,8 +190,8 @@ def expected_targets_rad(smooth: SmoothRhythm, commands_rad: list[Array]) -> Arr
     MuJoCo takes controls into their ranges before the plugin sees them.
     """
     elevation_deg, plane_deg, *further_deg = np.degrees(commands_rad).T
-    controls_deg = (np.clip(elevation_deg, 0.0, 180.0), np.clip(plane_deg, -95.0, 135.0))
-    angles_deg = smooth.solve(*controls_deg, *further_deg).angles_deg
+    control_deg = np.clip(elevation_deg, 0.0, 180.0)
+    angles_deg = smooth.solve(control_deg, plane_deg, *further_deg).angles_deg
     return np.radians(np.stack([angles_deg[coordinate] for coordinate in COORDINATES], axis=1))
 
 
@@ -324,6 +324,7 @@ def test_the_trace_has_its_columns_in_order(trace: Trace) -> None:
     expected = [
         "time_s",
         *(f"{command}_deg" for command in (*COMMANDS, *OFFSETS)),
+        *("used_elevation_deg", "used_plane_deg"),
         "distance_deg",
         "used_axial_deg",
         "used_axial_isb_deg",
@@ -343,13 +344,18 @@ def test_the_trace_has_a_row_for_every_step_and_one_for_the_end(
 
 
 def test_the_commands_in_the_trace_follow_the_motion_file(trace: Trace) -> None:
-    time_s, elevation_deg, plane_deg = np.array(MOTION).T
+    """The direction goes from row to row along the great circle, at constant speed."""
+    time_s, elevations_deg, planes_deg = np.array(MOTION).T
+    theta, psi = np.radians(elevations_deg), np.radians(planes_deg)
+    rows = np.stack([np.sin(theta) * np.sin(psi), -np.cos(theta), np.sin(theta) * np.cos(psi)]).T
     for row in trace.rows:
-        expected_deg = (
-            np.interp(row["time_s"], time_s, elevation_deg),
-            np.interp(row["time_s"], time_s, plane_deg),
-            0.0,
-        )
+        i = min(int(np.searchsorted(time_s, row["time_s"], "right")) - 1, len(MOTION) - 2)
+        share = (row["time_s"] - time_s[i]) / (time_s[i + 1] - time_s[i])
+        whole = np.arccos(rows[i] @ rows[i + 1])
+        x, y, z = (
+            np.sin((1 - share) * whole) * rows[i] + np.sin(share * whole) * rows[i + 1]
+        ) / np.sin(whole)
+        expected_deg = (np.degrees(np.arccos(-y)), np.degrees(np.arctan2(x, z)), 0.0)
         commands_deg = tuple(row[f"{command}_deg"] for command in COMMANDS)
         assert commands_deg == pytest.approx(expected_deg, abs=MOTION_DEG), row["time_s"]
 

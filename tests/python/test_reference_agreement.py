@@ -37,7 +37,8 @@ NUDGE_DEG = 1e-9
 
 SOLVED_COLUMNS = [
     *(f"{coordinate}_deg" for coordinate in COORDINATES),
-    *("clamped", "distance_deg", "origin", "used_axial_deg", "used_axial_isb_deg"),
+    *("clamped", "used_elevation_deg", "used_plane_deg", "distance_deg", "origin"),
+    *("used_axial_deg", "used_axial_isb_deg"),
 ]
 
 
@@ -62,7 +63,7 @@ def make_poses(reference: ReferenceRhythm) -> list[tuple[float, float]]:
     random = np.random.default_rng(SEED)
     elevations_deg, planes_deg = reference.elevations_deg, reference.planes_deg
     poses = [
-        (random.uniform(-10.0, 140.0), random.uniform(-30.0, 110.0)) for _ in range(RANDOM_POSES)
+        (random.uniform(0.0, 140.0), random.uniform(-30.0, 110.0)) for _ in range(RANDOM_POSES)
     ]
     poses += [(elevation, plane) for plane in planes_deg for elevation in elevations_deg]
     for nudge_deg in (-NUDGE_DEG, 0.0, NUDGE_DEG):

@@ -815,7 +815,7 @@ def test_the_distance_is_the_smallest_of_all() -> None:
     random = np.random.default_rng(SEED)
     elevations_deg = random.uniform(-20.0, 200.0, SAMPLES)
     planes_deg = random.uniform(-180.0, 180.0, SAMPLES)
-    arm = arm_direction(np.radians(np.clip(elevations_deg, 0.0, 180.0)), np.radians(planes_deg))
+    arm = arm_direction(np.radians(elevations_deg), np.radians(planes_deg))
     smallest_deg = np.degrees(np.arccos(np.clip((arm.T @ measured).max(axis=1), -1.0, 1.0)))
     distance_deg = distance_from_measured_deg(elevations_deg, planes_deg)
     # The grid's best is half a diagonal of a cell away at most.
@@ -831,7 +831,8 @@ def test_the_distance_is_the_smallest_of_all() -> None:
         (120.0, 90.0, 0.0),
         (70.0, 33.0, 0.0),
         (0.0, 33.0, 15.0),
-        (-10.0, 33.0, 15.0),
+        # (90, 220): the corner (15, 90) is nearest.
+        (-90.0, 40.0, math.degrees(math.acos(math.sin(math.radians(15)) * math.cos(math.radians(130))))),
         (180.0, 0.0, 60.0),
         (150.0, 90.0, 30.0),
         (90.0, -30.0, 30.0),

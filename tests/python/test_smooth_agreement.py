@@ -53,14 +53,14 @@ KINK_DEG = 1e-3
 # Where the rule changes, ends or stops being measured. The reach has a corner at 62.5; beyond it
 # the answer changes its form at 55, 90 and 115, and opposite to the middle, at plane 200.
 BORDER_ELEVATIONS_DEG = (0.0, 15.0, 55.0, 62.5, 90.0, 115.0, 120.0, 135.0, 150.0, 180.0)
-BORDER_PLANES_DEG = (-160.0, -95.0, -30.0, 0.0, 40.0, 90.0, 135.0, 225.0, 240.0)
-BEYOND_ELEVATIONS_DEG = (-30.0, 50.0, 100.0, 130.0, 210.0)
+BORDER_PLANES_DEG = (-160.0, -135.0, -95.0, -30.0, 0.0, 40.0, 90.0, 135.0, 240.0)
+BEYOND_ELEVATIONS_DEG = (5.0, 50.0, 100.0, 130.0, 175.0)
 BEYOND_PLANES_DEG = (-350.0, -170.0, -115.0, 20.0, 150.0, 180.0, 300.0)
 
-# Elevation and plane over their limits, the axial turn over that of the joint, the offsets as far
+# The plane over its limits, the axial turn over that of the joint, the offsets as far
 # as they may be typed, which is over the joint's limits.
 RANDOM_RANGES_DEG = {
-    "elevation_deg": (-10.0, 190.0),
+    "elevation_deg": (0.0, 180.0),
     "plane_deg": (-180.0, 220.0),
     "axial_deg": (-90.0, 90.0),
     "shrug_deg": (-15.0, 35.0),
@@ -157,6 +157,8 @@ def make_commands() -> dict[str, Array]:
         for pose in ((elevation, plane), (elevation, 40.0), (70.0, plane))
     ]
     elevations_deg, planes_deg = np.array(poses).T
+    # Files hold elevations from hanging to straight up.
+    elevations_deg = np.clip(elevations_deg, 0.0, 180.0)
     plain = [elevations_deg, planes_deg, *(np.zeros(len(poses)) for _ in columns[2:])]
     return {
         name: np.concatenate(pair)

@@ -13,9 +13,9 @@
 #include <string>
 #include <vector>
 
+#include "motions/motion.h"
 #include "names/joint_dynamics.h"
 #include "rhythm_tables/built_in_tables.h"
-#include "simulation/motion.h"
 #include "simulation/plugin_fixture.h"
 #include "simulation/shoulder_simulation.h"
 

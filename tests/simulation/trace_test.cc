@@ -34,9 +34,9 @@ TEST(Trace, EveryRowHasTheColumnsOfTheHeader) {
   std::string row;
   AppendTraceRow(row, ShoulderState{});
   EXPECT_EQ(std::count(row.begin(), row.end(), ','), std::count(header.begin(), header.end(), ','));
-  EXPECT_TRUE(
-      header.starts_with("time_s,elevation_deg,plane_deg,axial_deg,shrug_deg,protraction_deg,"
-                         "distance_deg,target_sc_protraction_deg"));
+  EXPECT_TRUE(header.starts_with(
+      "time_s,elevation_deg,plane_deg,axial_deg,shrug_deg,protraction_deg,"
+      "used_elevation_deg,used_plane_deg,distance_deg,target_sc_protraction_deg"));
 }
 
 TEST(Trace, HasCommandsAndDistanceInDegrees) {
@@ -45,10 +45,24 @@ TEST(Trace, HasCommandsAndDistanceInDegrees) {
   state.command =
       ReplayableCommand({RadiansFromDegrees(90), RadiansFromDegrees(45), RadiansFromDegrees(22.5),
                          RadiansFromDegrees(11.25), RadiansFromDegrees(-45)});
+  state.used = ReplayableCommand({RadiansFromDegrees(22.5), RadiansFromDegrees(11.25)});
   state.distance_rad = RadiansFromDegrees(90);
   std::string row;
   AppendTraceRow(row, state);
-  EXPECT_TRUE(row.starts_with("0.5,90,45,22.5,11.25,-45,90,0,")) << row;
+  EXPECT_TRUE(row.starts_with("0.5,90,45,22.5,11.25,-45,22.5,11.25,90,0,")) << row;
+}
+
+TEST(Trace, TakesNoMoreThanItsSizeSays) {
+  ShoulderState state;
+  for (Quaternion& q : state.q_WB) {
+    q = Quaternion(-0.12345678901234567, 1.0 / 3, 2.0 / 3, 1.0 / 7);
+  }
+  state.site_m.fill(Vector3(-1.0 / 3, 1.0 / 7, -2.0 / 7));
+  const std::string header = TraceHeader(Assembly::kTree);
+  std::string row;
+  AppendTraceRow(row, state);
+  EXPECT_GE(SizeOfRows(header, 1000), header.size() + 1000 * row.size());
+  EXPECT_LE(SizeOfRows(header, 1000), header.size() + 2000 * row.size());
 }
 
 // Of a state whose values are all different.

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "simulation/motion.h"
+#include "motions/motion.h"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ Motion FromText(const std::string& text) {
   return ReadMotion(in, "motion.csv");
 }
 
-constexpr const char* kValid = "time_s,elevation_deg,plane_deg\n0,20,0\n1,80,40\n3,100,90\n";
+constexpr const char* kValid = "time_s,elevation_deg,plane_deg\n0,20,40\n1,80,40\n3,100,40\n";
 
 TEST(ReachingMotion, StartsAndEndsAtItsCommandsAndHoldsThem) {
   const Motion motion = ReachingMotion("reach", {0.3, 0, 0.1}, {1.9, 0.5, -0.2}, 2);
@@ -46,12 +46,52 @@ TEST(ReachingMotion, IsAtRestAtBothEndsAndFastestInTheMiddle) {
   EXPECT_NEAR(speed(duration_s / 2), 15.0 / 8 / duration_s, 1e-6);
 }
 
-TEST(ReadMotion, GoesInStraightLinesBetweenRows) {
-  const Motion motion = FromText(kValid);
+TEST(ReadMotion, GoesBetweenRowsAsThePathDoes) {
+  const Motion motion = FromText("time_s,elevation_deg,plane_deg\n0,20,40\n1,80,400\n3,90,-310\n");
   EXPECT_EQ(motion.duration_s, 3);
   EXPECT_NEAR(DegreesFromRadians(motion.command(0.25).elevation_rad), 35, 1e-12);
-  EXPECT_NEAR(DegreesFromRadians(motion.command(2).plane_rad), 65, 1e-12);
-  EXPECT_EQ(motion.command(9).elevation_rad, RadiansFromDegrees(100));
+  EXPECT_NEAR(DegreesFromRadians(motion.command(0.25).plane_rad), 40, 1e-12);
+  EXPECT_EQ(motion.command(9).elevation_rad, RadiansFromDegrees(90));
+  EXPECT_NEAR(DegreesFromRadians(motion.command(9).plane_rad), 50, 1e-12);
+}
+
+TEST(ReadMotion, StartsAtTheFirstTimeWhateverItIs) {
+  for (const char* const times : {"3600.00", "-7.5", "1764520000.25"}) {
+    const double first_s = std::stod(times);
+    std::ostringstream text;
+    text.precision(17);
+    text << "time_s,elevation_deg,plane_deg\n"
+         << first_s << ",20,40\n"
+         << first_s + 0.25 << ",40,40\n"
+         << first_s + 0.5 << ",60,40\n";
+    const Motion motion = FromText(text.str());
+    EXPECT_EQ(motion.duration_s, 0.5) << times;
+    EXPECT_EQ(motion.command(0).elevation_rad, RadiansFromDegrees(20)) << times;
+    EXPECT_EQ(motion.command(0.25).elevation_rad, RadiansFromDegrees(40)) << times;
+  }
+}
+
+TEST(ReadMotion, LeavesOtherColumnsAlone) {
+  const Motion motion = FromText("frame,time_s,elevation_deg,plane_deg\n1,0,20,40\n2,0.5,60,40\n");
+  EXPECT_EQ(motion.command(0.5).elevation_rad, RadiansFromDegrees(60));
+}
+
+TEST(ReadMotion, ReadsTheConventionAndTheUnitThatAreSaid) {
+  std::istringstream in("time_s,elevation_deg,plane_deg\n0,-0.5,0.25\n1,-1.5,0.25\n");
+  const Motion motion =
+      ReadMotion(in, "motion.csv", {{AngleConvention::kIsb, AngleUnit::kRadians}, 10});
+  EXPECT_NEAR(motion.command(0).elevation_rad, 0.5, 1e-15);
+  EXPECT_NEAR(motion.command(1).elevation_rad, 1.5, 1e-15);
+  EXPECT_NEAR(motion.command(1).plane_rad, 0.25, 1e-15);
+}
+
+TEST(ReadMotion, RefusesWhatLooksLikeRadians) {
+  std::string text = "time_s,elevation_deg,plane_deg\n";
+  for (int i = 0; i < 10; ++i) {
+    text += std::to_string(i) + ",0." + std::to_string(i) + ",0.7\n";
+  }
+  EXPECT_THROW(static_cast<void>(FromText(text)), InputError);
+  EXPECT_NO_THROW(static_cast<void>(FromText(text + "10,40,0.7\n")));
 }
 
 TEST(ReadMotion, TakesAnAxialColumnAndAnyOrder) {
@@ -81,12 +121,19 @@ TEST(ReachingMotion, MovesOffsetsToo) {
 }
 
 TEST(RateOf, IsTheSlopeBetweenRows) {
-  const Motion motion =
-      FromText("time_s,elevation_deg,plane_deg,axial_deg\n0,20,0,5\n2,80,40,-5\n");
-  const CommandRate rates = RateOf(motion, 0.5, 0.002);
+  const Motion raised =
+      FromText("time_s,elevation_deg,plane_deg,axial_deg\n0,20,40,5\n2,80,40,-5\n");
+  const CommandRate rates = RateOf(raised, 0.5, 0.002);
   EXPECT_NEAR(rates[0], RadiansFromDegrees(30), 1e-11);
-  EXPECT_NEAR(rates[1], RadiansFromDegrees(20), 1e-11);
+  EXPECT_NEAR(rates[1], 0, 1e-11);
   EXPECT_NEAR(rates[2], RadiansFromDegrees(-5), 1e-11);
+}
+
+TEST(RateOf, GoesOnFrom180AsMinus180) {
+  const Motion across = FromText("time_s,elevation_deg,plane_deg\n0,90,170\n2,90,210\n");
+  for (const double time_s : {0.1, 0.499, 0.5, 1.5}) {
+    EXPECT_NEAR(RateOf(across, time_s, 0.002)[1], RadiansFromDegrees(20), 1e-10) << time_s;
+  }
 }
 
 // What the command will have changed by when the step ends.
@@ -124,15 +171,17 @@ INSTANTIATE_TEST_SUITE_P(
     Rows, MotionRefusal,
     testing::Values(BadMotion{"TimeGoesBack", "\n3,", "\n0.5,",
                               "motion.csv:4: time_s is 0.5, which does not increase (previous 1)"},
-                    BadMotion{"NegativeTime", "\n0,", "\n-1,",
-                              "motion.csv:2: time_s is -1, expected 0 to 86400"},
-                    BadMotion{"UnknownColumn", "plane_deg", "plan_deg",
-                              "motion.csv:1: column 'plan_deg' is not known. Remove it or correct "
-                              "its name"},
-                    BadMotion{"UnknownOffset", "plane_deg", "plane_deg,shrugs_deg",
-                              "motion.csv:1: column 'shrugs_deg' is not known. Remove it or "
-                              "correct its name"},
-                    BadMotion{"NoRows", "0,20,0\n1,80,40\n3,100,90\n", "",
+                    BadMotion{"TooLong", "\n3,", "\n3600.5,",
+                              "motion.csv:4: time_s is 3600.5, 3600.5 s after the first row, "
+                              "expected at most 3600. Check that it is in seconds; for a longer "
+                              "motion give --longest SECONDS"},
+                    BadMotion{"NearlyAColumn", "plane_deg", "plan_deg",
+                              "motion.csv:1: column 'plan_deg' is not known. Did you mean "
+                              "'plane_deg'? Correct its name, or give it one that is less alike"},
+                    BadMotion{"NearlyTheTime", "time_s", "time",
+                              "motion.csv:1: column 'time' is not known. Did you mean 'time_s'? "
+                              "Correct its name, or give it one that is less alike"},
+                    BadMotion{"NoRows", "0,20,40\n1,80,40\n3,100,40\n", "",
                               "motion.csv:1: the motion has no rows"}),
     [](const auto& parameter) { return parameter.param.name; });
 

@@ -10,24 +10,33 @@
 #include <string>
 
 #include "kinematics/shoulder_rhythm.h"
+#include "motions/arm_angles.h"
 #include "names/model_names.h"
 
 namespace girdle {
 
-/// A day: nobody raises an arm for longer, and the number of steps stays countable.
-inline constexpr double kLongestMotion_s = 86400;
+inline constexpr const char* kTimeColumn = "time_s";
+
+/// An hour [s], unless more is asked for: a file of stamps in milliseconds says a thousand times as
+/// much as it means, and a trace grows by some three gigabytes an hour.
+inline constexpr double kLongestMotion_s = 3600;
+
+/// No motion is longer [s], whatever is asked for: a year, so that the number of steps stays
+/// countable.
+inline constexpr double kLongestMotionAskedFor_s = 365 * 86400.0;
 
 struct Motion {
   std::string name;
   double duration_s = 0;
-  /// Command at a time [s]; held before 0 and after the end.
+  /// Command at a time from the start [s]; held before 0 and after the end.
   std::function<ArmCommand(double time_s)> command;
 };
 
 /// How fast elevation, plane and axial change [rad/s].
 using CommandRate = std::array<double, kRateCount>;
 
-/// Returns how fast a motion's command changes over the step that begins at a time.
+/// Returns how fast a motion's command changes over the step that begins at a time; of plane and
+/// axial the short way round.
 [[nodiscard]] CommandRate RateOf(const Motion& motion, double time_s, double step_s);
 
 /// Returns a motion from one command to another, which count axial turns from one zero, on a
@@ -37,12 +46,16 @@ using CommandRate = std::array<double, kRateCount>;
 [[nodiscard]] Motion ReachingMotion(std::string name, const ArmCommand& from, const ArmCommand& to,
                                     double duration_s);
 
-/// Reads `time_s,elevation_deg,plane_deg`, optionally `axial_deg`, `shrug_deg` and
-/// `protraction_deg`, columns in any order, times not negative and increasing, offsets within
-/// kShrugRange and kProtractionRange, and goes in straight lines from row to row. The column
-/// axial_deg is counted from `axial_from`; without it the turn is the rhythm's own. Throws
-/// InputError with file and line.
+/// How the file of a motion is to be read.
+struct MotionReading {
+  AngleReading angles;
+  double longest_s = kLongestMotion_s;
+};
+
+/// Reads `time_s` and the columns of CommandColumns, times increasing, and goes from row to row as
+/// ArmPath does. The motion starts at the first time, whatever that is. Throws InputError with file
+/// and line, also for a motion longer than `longest_s`.
 [[nodiscard]] Motion ReadMotion(std::istream& in, const std::string& name,
-                                AxialFrom axial_from = AxialFrom::kRhythm);
+                                const MotionReading& reading = {});
 
 }  // namespace girdle

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "motions/arm_angles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "kinematics/rotation.h"
+
+namespace girdle {
+namespace {
+
+void ExpectFewTurns(double angle_deg) {
+  // A NaN is none either.
+  if (!(std::abs(angle_deg) <= kMostTurned_deg)) {
+    throw std::invalid_argument("expected an angle within -3600 to 3600 degrees");
+  }
+}
+
+}  // namespace
+
+double ElevationRead_deg(double elevation_deg, AngleConvention convention) {
+  const bool is_isb = convention == AngleConvention::kIsb;
+  const double raised_deg = is_isb ? -elevation_deg : elevation_deg;
+  if (raised_deg < -kElevationRounding_deg) {
+    throw std::invalid_argument(
+        is_isb ? "ISB's Y-X'-Y'' writes the elevation of a raised arm negative, 0 to -180. If here "
+                 "it is positive, give --convention girdle; if the arm points to the other side, "
+                 "write (plane + 180, -elevation, axial + 180), the same rotation"
+               : "elevation counts from 0, hanging, up to 180. ISB's Y-X'-Y'' writes that of a "
+                 "raised arm negative: if this one is so, give --convention isb");
+  }
+  if (!(raised_deg <= kHalfCircle_deg + kElevationRounding_deg)) {
+    throw std::invalid_argument(is_isb ? "expected 0 to -180 degrees"
+                                       : "expected 0 to 180 degrees");
+  }
+  // The sum makes -0, as ISB's hanging arm comes here, 0.
+  return std::clamp(raised_deg, 0.0, kHalfCircle_deg) + 0.0;
+}
+
+double PlaneRead_deg(double plane_deg) {
+  ExpectFewTurns(plane_deg);
+  return std::abs(plane_deg) <= kHalfCircle_deg ? plane_deg
+                                                : std::remainder(plane_deg, kFullCircle_deg);
+}
+
+double AxialRead_deg(double axial_deg) {
+  ExpectFewTurns(axial_deg);
+  return axial_deg;
+}
+
+}  // namespace girdle

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "motions/command_columns.h"
+
+#include <stdexcept>
+#include <string>
+
+#include "names/model_names.h"
+#include "text/number_text.h"
+
+namespace girdle {
+namespace {
+
+// What `read` makes of a number of a row; its objection becomes one to the row.
+template <typename Reading>
+double AngleOf(const CsvRows& row, std::size_t column, double number, const Reading& read) {
+  try {
+    return RadiansFromDegrees(read());
+  } catch (const std::invalid_argument& error) {
+    row.Fail(row.ColumnName(column) + " is " + NumberText(number) + ": " + error.what());
+  }
+}
+
+}  // namespace
+
+CommandColumns::CommandColumns(const CsvReader& csv, const AngleReading& reading,
+                               const std::vector<std::string_view>& further)
+    : reading_(reading) {
+  std::vector<std::string_view> known = {kElevationColumn, kPlaneColumn, kAxialColumn, kShrugColumn,
+                                         kProtractionColumn};
+  known.insert(known.end(), further.begin(), further.end());
+  csv.ExpectNoneNearly(known);
+  elevation_ = csv.Column(kElevationColumn);
+  plane_ = csv.Column(kPlaneColumn);
+  if (csv.HasColumn(kAxialColumn)) {
+    axial_ = csv.Column(kAxialColumn);
+  }
+  const auto add_offset = [&](const char* name, double ArmCommand::*angle_rad,
+                              const CoordinateRange& range) {
+    if (csv.HasColumn(name)) {
+      offsets_.push_back({csv.Column(name), angle_rad, TypedDegrees(range.lower_rad),
+                          TypedDegrees(range.upper_rad)});
+    }
+  };
+  add_offset(kShrugColumn, &ArmCommand::shrug_rad, kShrugRange);
+  add_offset(kProtractionColumn, &ArmCommand::protraction_rad, kProtractionRange);
+}
+
+double CommandColumns::Degrees(double number) const noexcept {
+  return reading_.unit == AngleUnit::kRadians ? DegreesFromRadians(number) : number;
+}
+
+double CommandColumns::OffsetRead_deg(const CsvRows& row, const Offset& offset) const {
+  const double number = row.Number(offset.index);
+  const bool is_radians = reading_.unit == AngleUnit::kRadians;
+  // As typed, so that the bounds themselves are accepted in radians.
+  const double offset_deg = is_radians ? TypedDegrees(number) : number;
+  if (offset_deg < offset.lower_deg || offset_deg > offset.upper_deg) {
+    row.Fail(row.ColumnName(offset.index) + " is " + NumberText(number) + ", expected " +
+             NumberText(offset.lower_deg) + " to " + NumberText(offset.upper_deg) +
+             (is_radians ? " degrees" : ""));
+  }
+  return offset_deg;
+}
+
+ArmCommand CommandColumns::Read(const CsvRows& row, const ArmCommand& otherwise,
+                                AngleSpan& span) const {
+  ArmCommand command = otherwise;
+  const double elevation = row.Number(elevation_);
+  const double plane = row.Number(plane_);
+  command.elevation_rad = AngleOf(row, elevation_, elevation, [&] {
+    return ElevationRead_deg(Degrees(elevation), reading_.convention);
+  });
+  command.plane_rad = AngleOf(row, plane_, plane, [&] { return PlaneRead_deg(Degrees(plane)); });
+  if (axial_) {
+    const double axial = row.Number(*axial_);
+    command.axial_rad = AngleOf(row, *axial_, axial, [&] { return AxialRead_deg(Degrees(axial)); });
+    command.axial_from = reading_.axial_from;
+  }
+  for (const Offset& offset : offsets_) {
+    command.*offset.angle_rad = RadiansFromDegrees(OffsetRead_deg(row, offset));
+  }
+  if (!reading_.unit) {
+    span.Add(elevation, plane);
+  }
+  return command;
+}
+
+}  // namespace girdle

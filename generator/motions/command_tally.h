@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+/// How many commands were answered as they are, and why others were not.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "kinematics/shoulder_rhythm.h"
+
+namespace girdle {
+
+struct CommandTally {
+  std::size_t rows = 0;
+  std::size_t clamped = 0;  ///< answered by another command
+  std::size_t beyond = 0;   ///< of them, those whose direction is another one
+  std::size_t modelled = 0;
+  double farthest_rad = 0;  ///< of all commands, from measured directions
+
+  /// Adds a command and what ShoulderSolution says of its answer.
+  void Add(const ShoulderRhythm& rhythm, const ArmCommand& command, const ArmCommand& used,
+           Origin origin, double distance_rad) noexcept;
+  void Add(const CommandTally& other) noexcept;
+};
+
+/// Returns a line without its end:
+///
+///     6 rows, 1 clamped (1 beyond what an arm reaches; the nearest is used), 2 modelled (up
+///     to 37.2 deg from measured directions)
+[[nodiscard]] std::string TallyText(const CommandTally& tally, Range range);
+
+}  // namespace girdle

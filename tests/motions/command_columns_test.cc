@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "motions/command_columns.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "text/input_error.h"
+
+namespace girdle::command_columns_test {
+namespace {
+
+struct ReadFile {
+  std::vector<ArmCommand> commands;
+  AngleSpan span;
+};
+
+ReadFile Read(const std::string& text, const AngleReading& reading = {},
+              const ArmCommand& otherwise = {}) {
+  std::istringstream in(text);
+  CsvReader csv(in, "t.csv");
+  const CommandColumns columns(csv, reading);
+  ReadFile file;
+  while (csv.Next()) {
+    file.commands.push_back(columns.Read(csv.row(), otherwise, file.span));
+  }
+  return file;
+}
+
+std::string RefusalOf(const std::string& text, const AngleReading& reading = {}) {
+  try {
+    Read(text, reading).span.ExpectKnownUnit("t.csv");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+constexpr AngleReading kIsb = {AngleConvention::kIsb, {}};
+constexpr AngleReading kRadians = {AngleConvention::kGirdle, AngleUnit::kRadians};
+constexpr AngleReading kDegrees = {AngleConvention::kGirdle, AngleUnit::kDegrees};
+
+TEST(CommandColumns, AreReadInAnyOrderAmongOthers) {
+  const ArmCommand command =
+      Read(
+          "note,shrug_deg,plane_deg,axial_deg,elevation_deg,protraction_deg,frame\n"
+          "a,3,400,5,60,-4,1\n")
+          .commands.at(0);
+  EXPECT_EQ(command.elevation_rad, RadiansFromDegrees(60));
+  EXPECT_EQ(command.plane_rad, RadiansFromDegrees(40));
+  EXPECT_EQ(command.axial_rad, RadiansFromDegrees(5));
+  EXPECT_EQ(command.shrug_rad, RadiansFromDegrees(3));
+  EXPECT_EQ(command.protraction_rad, RadiansFromDegrees(-4));
+}
+
+TEST(CommandColumns, LeaveWhatTheyHaveNot) {
+  const ArmCommand otherwise{9, 9, 0.25, 0.125, -0.125};
+  const ArmCommand command = Read("elevation_deg,plane_deg\n60,40\n", {}, otherwise).commands.at(0);
+  EXPECT_EQ(command.axial_rad, 0.25);
+  EXPECT_EQ(command.shrug_rad, 0.125);
+  EXPECT_EQ(command.protraction_rad, -0.125);
+  EXPECT_EQ(command.plane_rad, RadiansFromDegrees(40));
+}
+
+TEST(CommandColumns, AreReadAsIsbWritesThem) {
+  const ArmCommand command = Read("elevation_deg,plane_deg\n-90,40\n", kIsb).commands.at(0);
+  EXPECT_EQ(command.elevation_rad, RadiansFromDegrees(90));
+  EXPECT_EQ(command.plane_rad, RadiansFromDegrees(40));
+}
+
+TEST(CommandColumns, AreReadAsRadians) {
+  // The bounds of the offsets, 35 and 30 degrees, are accepted in as many digits as people write.
+  const ArmCommand command = Read(
+                                 "elevation_deg,plane_deg,axial_deg,shrug_deg,protraction_deg\n"
+                                 "1.25,0.5,-0.25,0.6108652381980153,0.523598775598299\n",
+                                 kRadians)
+                                 .commands.at(0);
+  constexpr double kFewUnits = 1e-15;
+  EXPECT_NEAR(command.elevation_rad, 1.25, kFewUnits);
+  EXPECT_NEAR(command.plane_rad, 0.5, kFewUnits);
+  EXPECT_NEAR(command.axial_rad, -0.25, kFewUnits);
+  EXPECT_NEAR(DegreesFromRadians(command.shrug_rad), 35, 1e-9);
+  EXPECT_NEAR(DegreesFromRadians(command.protraction_rad), 30, 1e-9);
+}
+
+TEST(CommandColumns, AreRefusedWithPlaceValueAndFix) {
+  EXPECT_EQ(RefusalOf("elevation_deg,plane_deg\n15,40\n-15,40\n"),
+            "t.csv:3: elevation_deg is -15: elevation counts from 0, hanging, up to 180. ISB's "
+            "Y-X'-Y'' writes that of a raised arm negative: if this one is so, give --convention "
+            "isb");
+  EXPECT_TRUE(RefusalOf("elevation_deg,plane_deg\n-15,40\n15,40\n", kIsb)
+                  .starts_with("t.csv:3: elevation_deg is 15: ISB's Y-X'-Y'' writes"));
+  EXPECT_EQ(RefusalOf("elevation_deg,plane_deg\n181,40\n"),
+            "t.csv:2: elevation_deg is 181: expected 0 to 180 degrees");
+  EXPECT_EQ(RefusalOf("elevation_deg,plane_deg\n15,1e300\n"),
+            "t.csv:2: plane_deg is 1e+300: expected an angle within -3600 to 3600 degrees");
+  EXPECT_EQ(RefusalOf("elevation_deg,plane_deg\n15,inf\n"),
+            "t.csv:2: plane_deg is 'inf', expected a finite number such as 22.5");
+  EXPECT_EQ(RefusalOf("elevation_deg,plane_deg,shrug_deg\n1,1,1\n", kRadians),
+            "t.csv:2: shrug_deg is 1, expected -15 to 35 degrees");
+}
+
+TEST(CommandColumns, AreRefusedWhereOneIsNearlyKnown) {
+  EXPECT_EQ(RefusalOf("elevation_deg,plane_deg,axial\n15,40,1\n"),
+            "t.csv:1: column 'axial' is not known. Did you mean 'axial_deg'? Correct its name, or "
+            "give it one that is less alike");
+  EXPECT_TRUE(RefusalOf("elevation_deg,plane_deg,shrug_degs\n15,40,1\n").starts_with("t.csv:1: "));
+  EXPECT_TRUE(RefusalOf("elevation,plane_deg\n15,40\n").find("mean 'elevation_deg'") !=
+              std::string::npos);
+  EXPECT_EQ(RefusalOf("elevation_deg,psi\n15,40\n"),
+            "t.csv:1: column 'plane_deg' is missing. The header has: elevation_deg, psi");
+}
+
+// Rows of an arm that is raised from 0.1 to `last` in steps of a tenth.
+std::string RaisedTo(double last, int rows, double plane) {
+  std::ostringstream text;
+  text << "elevation_deg,plane_deg\n";
+  for (int i = 0; i < rows; ++i) {
+    text << 0.1 + (last - 0.1) * i / (rows - 1) << ',' << plane << '\n';
+  }
+  return text.str();
+}
+
+TEST(AngleSpan, TellsRadiansThatNobodySaid) {
+  EXPECT_EQ(RefusalOf(RaisedTo(2.1, 10, 0.7)),
+            "t.csv: in 10 rows elevation_deg is 0.1 to 2.1 and plane_deg 0.7 to 0.7, which look "
+            "like radians. Give --angles rad, or --angles deg if they are degrees");
+}
+
+TEST(AngleSpan, LeavesWhatIsSaidOrShortOrStillOrFar) {
+  EXPECT_EQ(RefusalOf(RaisedTo(2.1, 10, 0.7), kRadians), "accepted");
+  EXPECT_EQ(RefusalOf(RaisedTo(2.1, 10, 0.7), kDegrees), "accepted");
+  EXPECT_EQ(RefusalOf(RaisedTo(2.1, 9, 0.7)), "accepted");
+  EXPECT_EQ(RefusalOf(RaisedTo(0.6, 10, 0.7)), "accepted");
+  EXPECT_EQ(RefusalOf(RaisedTo(2.1, 10, 3.3)), "accepted");
+  EXPECT_EQ(RefusalOf(RaisedTo(3.3, 10, 0.7)), "accepted");
+}
+
+TEST(AngleSpan, AddsUpParts) {
+  AngleSpan whole;
+  AngleSpan part;
+  for (int i = 0; i < 5; ++i) {
+    whole.Add(0.1, 0);
+    part.Add(2, 0.1);
+  }
+  EXPECT_FALSE(whole.LooksLikeRadians());
+  whole.Add(part);
+  EXPECT_TRUE(whole.LooksLikeRadians());
+  part.Add(40, 0);
+  whole.Add(part);
+  EXPECT_FALSE(whole.LooksLikeRadians());
+}
+
+}  // namespace
+}  // namespace girdle::command_columns_test
