@@ -157,6 +157,10 @@ SimulationSummary Simulate(const std::string& model_path, const std::string& plu
   const EngineWatch watch;
   LoadPlugin(plugin);
   ShoulderSimulation simulation = SimulationFor(model_path, request.side, rhythm);
+  const std::string fault = EngineWatch::TakeModelFault();
+  if (!fault.empty()) {
+    throw InputError(model_path + ": " + fault);
+  }
   const double timestep_s = simulation.timestep_s();
   const auto steps = static_cast<long>(std::lround(motion.duration_s / timestep_s));
   const auto command_at = [&](long step) {
