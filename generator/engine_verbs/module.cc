@@ -159,6 +159,10 @@ SimulationSummary Simulate(const std::string& model_path, const std::string& plu
   const EngineWatch watch;
   LoadPlugin(plugin);
   ShoulderSimulation simulation = SimulationFor(model_path, request.side, rhythm);
+  const std::string fault = EngineWatch::TakeModelFault();
+  if (!fault.empty()) {
+    throw InputError(model_path + ": " + fault);
+  }
   const Motion asked =
       RequestedMotion(request, request.axial_from.value_or(OwnAxialFrom(simulation.loaded())));
   // The rates are those of the model's own commands.

@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "names/model_fault_mark.h"
 #include "names/model_names.h"
 #include "plugin/controller_registry.h"
 #include "plugin/engine_faults.h"
@@ -60,7 +61,8 @@ std::string Faults(const mjModel* model, const RhythmController& controller) {
   const std::string of_engine = EngineFault(engine.version(), engine.is_sparse(model) != 0);
   const std::string of_model =
       ModelFaults(CompiledViewOf(*model, *layout), controller.binding(), controller.rhythm());
-  return of_engine + (of_engine.empty() || of_model.empty() ? "" : "; ") + of_model;
+  return of_engine + (of_engine.empty() || of_model.empty() ? "" : "; ") +
+         (of_model.empty() ? "" : kModelFaultMark + of_model);
 }
 
 // Returns 0, or -1 after a warning that names instance and fix. Nothing escapes.

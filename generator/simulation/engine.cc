@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "names/model_fault_mark.h"
 #include "names/model_names.h"
 #include "simulation/binary_model.h"
 #include "text/input_error.h"
@@ -25,8 +26,15 @@ namespace {
 std::mutex warnings_mutex;          // NOLINT(readability-identifier-naming)
 std::vector<std::string> warnings;  // NOLINT(readability-identifier-naming)
 
+// What the plugin said last of a compiled model.
+std::string model_fault;  // NOLINT(readability-identifier-naming)
+
 void OnWarning(const char* message) {
   const std::lock_guard lock(warnings_mutex);
+  if (std::string_view(message).find(kModelFaultMark) != std::string_view::npos) {
+    model_fault = message;
+    return;
+  }
   warnings.emplace_back(message);
 }
 
@@ -90,6 +98,7 @@ EngineWatch::EngineWatch()
     : previous_error_(std::exchange(mju_user_error, OnError)),
       previous_warning_(std::exchange(mju_user_warning, OnWarning)) {
   TakeWarnings();
+  TakeModelFault();
 }
 
 EngineWatch::~EngineWatch() {
@@ -102,6 +111,11 @@ void EngineWatch::ExpectNoWarning(const std::string& doing) {
   if (!text.empty()) {
     throw InputError(doing + ": MuJoCo warns: " + text);
   }
+}
+
+std::string EngineWatch::TakeModelFault() {
+  const std::lock_guard lock(warnings_mutex);
+  return std::exchange(model_fault, {});
 }
 
 void LoadPlugin(const std::string& path) {

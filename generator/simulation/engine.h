@@ -35,6 +35,10 @@ class EngineWatch {
   /// was going on.
   static void ExpectNoWarning(const std::string& doing);
 
+  /// Returns what the plugin has said of a compiled model since the last call, or nothing. That is
+  /// no warning to ExpectNoWarning: such a model steps, and a report says how it moves.
+  static std::string TakeModelFault();
+
  private:
   void (*previous_error_)(const char*);
   void (*previous_warning_)(const char*);
