@@ -36,7 +36,8 @@ TEST(Trace, EveryRowHasTheColumnsOfTheHeader) {
   EXPECT_EQ(std::count(row.begin(), row.end(), ','), std::count(header.begin(), header.end(), ','));
   EXPECT_TRUE(
       header.starts_with("time_s,elevation_deg,plane_deg,axial_deg,shrug_deg,protraction_deg,"
-                         "distance_deg,target_sc_protraction_deg"));
+                         "distance_deg,used_axial_deg,used_axial_isb_deg,"
+                         "target_sc_protraction_deg"));
 }
 
 TEST(Trace, HasCommandsAndDistanceInDegrees) {
@@ -46,9 +47,11 @@ TEST(Trace, HasCommandsAndDistanceInDegrees) {
       ReplayableCommand({RadiansFromDegrees(90), RadiansFromDegrees(45), RadiansFromDegrees(22.5),
                          RadiansFromDegrees(11.25), RadiansFromDegrees(-45)});
   state.distance_rad = RadiansFromDegrees(90);
+  state.used_axial_rad = RadiansFromDegrees(22.5);
+  state.used_axial_isb_rad = RadiansFromDegrees(-45);
   std::string row;
   AppendTraceRow(row, state);
-  EXPECT_TRUE(row.starts_with("0.5,90,45,22.5,11.25,-45,90,0,")) << row;
+  EXPECT_TRUE(row.starts_with("0.5,90,45,22.5,11.25,-45,90,22.5,-45,0,")) << row;
 }
 
 // Of a state whose values are all different.
