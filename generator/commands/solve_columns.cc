@@ -56,7 +56,7 @@ Cell Rate(const SolvedRow& row, std::size_t k) {
 }
 
 // In the order of the output. Further columns are a line here.
-constexpr std::array<OutputColumns<SolvedRow, SolveAdditions>, 7> kSolveColumns = {{
+constexpr std::array<OutputColumns<SolvedRow, SolveAdditions>, 8> kSolveColumns = {{
     {AngleStems, kDegrees,
      [](const SolvedRow& row, std::size_t k) -> Cell {
        return DegreesFromRadians(row.angles_rad[k]);

@@ -22,11 +22,13 @@ void CheckOptions(const ModelPlan& plan) {
   if (options.has_rates && plan.is_loop()) {
     throw std::invalid_argument("rate commands need the assembly tree");
   }
-  if (!plan.has_plugin() &&
-      (options.has_offsets || options.has_rates || options.axial_from != AxialFrom::kRhythm)) {
+  if (!plan.has_plugin() && (options.has_offsets || options.has_rates)) {
     throw std::invalid_argument(
-        "commands for offsets, rates and axial turns need the plugin: position servos are given "
-        "joint angles");
+        "commands for offsets and rates need the plugin: position servos are given joint angles");
+  }
+  if (!plan.has_plugin() && options.axial_from != AxialFrom::kRhythm) {
+    throw std::invalid_argument(
+        "another zero of axial turns needs the plugin: position servos are given joint angles");
   }
   if (!plan.is_loop() && options.lead != Lead::kClavicle) {
     throw std::invalid_argument("in a tree nothing but the clavicle can lead");

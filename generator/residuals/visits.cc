@@ -169,6 +169,7 @@ class Visitor {
       } else if (elements.has_plugin()) {
         command = {controls[elements.command_controls[0]], controls[elements.command_controls[1]],
                    controls[elements.command_controls[2]]};
+        command.axial_from = OwnAxialFrom(simulation_.loaded());
       } else if (!is_ours) {
         continue;  // position servos do not say what was meant
       }

@@ -50,14 +50,14 @@ ArmCommand ShoulderSimulation::AsModelCounts(const ArmCommand& command) const {
   return counted;
 }
 
-void ShoulderSimulation::SetCommand(const ArmCommand& asked, const CommandRate& rate) {
-  const ArmCommand command = AsModelCounts(asked);
+void ShoulderSimulation::SetCommand(const ArmCommand& command, const CommandRate& rate) {
+  const ArmCommand counted = AsModelCounts(command);
   if (!has_plugin()) {
-    target_ = rhythm_.SolvePose(command, &used_);
+    target_ = rhythm_.SolvePose(counted, &used_);
   }
   for (const ShoulderElements& elements : shoulders()) {
     if (has_plugin()) {
-      SetPluginCommand(elements, command, rate);
+      SetPluginCommand(elements, counted, rate);
     } else {
       SetServos(elements);
     }

@@ -92,7 +92,7 @@ Stems UsedAxialStems(const Assembly& /*assembly*/) {
 }
 
 // In the order of the trace. Further columns are a line here.
-constexpr std::array<OutputColumns<ShoulderState, Assembly>, 8> kTraceColumns = {{
+constexpr std::array<OutputColumns<ShoulderState, Assembly>, 9> kTraceColumns = {{
     {[](const Assembly&) { return Stems{"time"}; }, kSeconds,
      [](const ShoulderState& state, std::size_t) -> Cell { return state.time_s; }},
     {CommandStems, kDegrees, CommandAngle},

@@ -55,7 +55,7 @@ def make(girdle: Girdle, quick: bool) -> Figure:
     curves.set_xticks(np.arange(0, 181, 30))
     curves.set_xlabel("humeral elevation (deg)")
     curves.set_ylabel("ISB's axial rotation of axial 0 (deg)")
-    curves.legend(loc="lower right")
+    curves.legend(loc="upper right")
     name_panel(axes, "(b) over elevation and plane")
     colors = axes.pcolormesh(*field, cmap=SEQUENTIAL, shading="nearest", rasterized=True)
     draw_lines(axes, field, np.arange(-120.0, 100.0, 20.0), BLACK)

@@ -610,6 +610,11 @@ INSTANTIATE_TEST_SUITE_P(
                     Refused{"OffsetsOfPositionServos",
                             {.actuation = Actuation::kPosition, .has_offsets = true},
                             kNeedThePlugin},
+                    Refused{
+                        "AxialFromIsbOfPositionServos",
+                        {.actuation = Actuation::kPosition, .axial_from = AxialFrom::kIsb},
+                        "another zero of axial turns needs the plugin: position servos are given "
+                        "joint angles"},
                     Refused{"RatesOfPositionServos",
                             {.actuation = Actuation::kPosition, .has_rates = true},
                             kNeedThePlugin},

@@ -292,6 +292,12 @@ def test_a_raise_has_the_rhythms_own_turn_in_every_model(
     assert np.abs(found["used_axial_deg"]).max() < 1e-9
 
 
+def test_such_a_model_passes_its_verification(shared: SharedResults, made: Made, zero: AxialFrom) -> None:
+    verified = shared.verify(made.scene)
+    assert verified.code == 0, [line for line in verified.text.splitlines() if '"passed": false' in line]
+    assert f"axial from {zero}" in verified.answer["kind"]
+
+
 def test_zeros_and_position_servos_exclude_each_other(refuses: Refuses) -> None:
     refuses(
         "generate", "--out", "model", "--axial-from", "isb", "--actuation", "position",
