@@ -78,7 +78,7 @@ TEST(PlaneRead, RefusesAngleWhoseDigitsSayNothing) {
   for (const double plane_deg : {3600.5, -3601.0, 1e300, kNan}) {
     EXPECT_EQ(RefusalOf([=] { return PlaneRead_deg(plane_deg); }),
               "expected an angle within -3600 to 3600 degrees");
-    EXPECT_EQ(RefusalOf([=] { return AxialRead_deg(plane_deg, kIsb); }),
+    EXPECT_EQ(RefusalOf([=] { return AxialRead_deg(plane_deg); }),
               "expected an angle within -3600 to 3600 degrees");
   }
 }

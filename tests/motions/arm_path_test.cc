@@ -193,5 +193,35 @@ TEST(ShortWay, IsWithinHalfATurn) {
   EXPECT_EQ(ShortWay_rad(1, 1.5), 0.5);
 }
 
+// An arm that swings past hanging without turning about its long axis: ISB's plane jumps by half a
+// turn there and ISB's axial rotation against it.
+TEST(ArmPath, KeepsTheHumerusOfIsbsAxialRotation) {
+  ArmCommand front = Command_deg(20, 90, -70);
+  ArmCommand behind = Command_deg(30, -90, 114);
+  front.axial_from = behind.axial_from = AxialFrom::kIsb;
+  const ArmPath path = PathThrough({front, behind});
+  // Whole turns: 20 deg in front, 24 behind.
+  for (const double share : {0.0, 0.1, 0.39, 0.41, 0.75, 1.0}) {
+    const ArmCommand command = path.At(share);
+    EXPECT_EQ(command.axial_from, AxialFrom::kIsb);
+    EXPECT_NEAR(
+        ShortWay_rad(RadiansFromDegrees(20 + 4 * share), command.plane_rad + command.axial_rad), 0,
+        kRounding_rad)
+        << share;
+    EXPECT_EQ(Plane_deg(command) > 0, share < 0.4) << share;
+    EXPECT_LE(std::abs(command.axial_rad), kPi);
+  }
+}
+
+TEST(ArmPath, KeepsTheTurnOfIsbsAxialRotationWhereTheArmHangs) {
+  ArmCommand hanging = Command_deg(0, 50, -20);
+  ArmCommand raised = Command_deg(40, 90, -60);
+  hanging.axial_from = raised.axial_from = AxialFrom::kIsb;
+  const ArmCommand start = PathThrough({hanging, raised}).At(0);
+  // The plane of the way, and the humerus of the row.
+  EXPECT_NEAR(Plane_deg(start), 90, 1e-9);
+  EXPECT_NEAR(DegreesFromRadians(start.axial_rad), -60, 1e-9);
+}
+
 }  // namespace
 }  // namespace girdle::arm_path_test

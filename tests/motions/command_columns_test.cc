@@ -72,6 +72,18 @@ TEST(CommandColumns, AreReadAsIsbWritesThem) {
   EXPECT_EQ(command.plane_rad, RadiansFromDegrees(40));
 }
 
+TEST(CommandColumns, CountAxialTurnsFromWhatTheReadingSays) {
+  AngleReading from_isb;
+  from_isb.axial_from = AxialFrom::kIsb;
+  const ArmCommand given =
+      Read("elevation_deg,plane_deg,axial_deg\n60,40,-50\n", from_isb).commands.at(0);
+  EXPECT_EQ(given.axial_rad, RadiansFromDegrees(-50));
+  EXPECT_EQ(given.axial_from, AxialFrom::kIsb);
+  // Without the column the turn is the rhythm's own.
+  EXPECT_EQ(Read("elevation_deg,plane_deg\n60,40\n", from_isb).commands.at(0).axial_from,
+            AxialFrom::kRhythm);
+}
+
 TEST(CommandColumns, AreReadAsRadians) {
   // The bounds of the offsets, 35 and 30 degrees, are accepted in as many digits as people write.
   const ArmCommand command = Read(

@@ -172,3 +172,29 @@ def test_the_readmes_numbers_are_those_of_solve(girdle_fine: Girdle) -> None:
         pose = ("--elevation", elevation, "--plane", plane, "--json")
         used = json.loads(girdle_fine("solve", *pose).text)["used"]
         assert round(used["axial_isb_deg"]) == int(axial)
+
+
+@pytest.mark.parametrize("said", [(), ("--axial-from", "isb")])
+def test_isbs_convention_means_isbs_axial_rotation(girdle_fine: Girdle, said: tuple[str]) -> None:
+    pose = ("--plane", "40", "--axial", "-30", "--json")
+    written = girdle_fine("solve", "--convention", "isb", "--elevation", "-60", *pose, *said)
+    answer = json.loads(written.text)
+    assert answer["axial_from"] == "isb"
+    assert answer["used"]["axial_isb_deg"] == pytest.approx(-30.0, abs=ROUNDING_DEG)
+
+
+def test_isbs_convention_with_an_axial_rotation_from_the_rhythm(girdle_fine: Girdle) -> None:
+    words = ("--convention", "isb", "--elevation", "-60", "--plane", "40", "--axial", "-30")
+    answer = json.loads(girdle_fine("solve", *words, "--axial-from", "rhythm", "--json").text)
+    assert answer["axial_from"] == "rhythm"
+    assert answer["used"]["axial_deg"] == pytest.approx(-30.0, abs=ROUNDING_DEG)
+
+
+def test_a_file_of_isbs_angles_comes_out_as_it_went_in(girdle_fine: Girdle) -> None:
+    poses = b"elevation_deg,plane_deg,axial_deg\n-60,40,-30\n-100,10,-60\n"
+    text = girdle_fine("solve", "--convention", "isb", "--in", "-", stdin=poses).text
+    rows = list(csv.DictReader(io.StringIO(text)))
+    assert [row["clamped"] for row in rows] == ["0", "0"]
+    for row in rows:
+        assert float(row["used_axial_isb_deg"]) == pytest.approx(float(row["axial_deg"]), abs=1e-9)
+        assert float(row["used_elevation_deg"]) == pytest.approx(-float(row["elevation_deg"]))
