@@ -22,6 +22,7 @@
 #include "anatomy/built_in_anatomy.h"
 #include "anatomy/postures.h"
 #include "kinematics/arm_directions.h"
+#include "kinematics/arm_reach.h"
 #include "kinematics/assembly.h"
 #include "kinematics/rhythm_table.h"
 #include "kinematics/rotation.h"

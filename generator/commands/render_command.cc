@@ -73,7 +73,7 @@ std::string UsedText(const RenderResult& result) {
     return "";
   }
   constexpr int kDecimals = 3;
-  return "the direction lies outside the rhythm's range; the nearest is shown: elevation " +
+  return "the direction lies outside the rhythm's range; shown instead: elevation " +
          RoundedText(DegreesFromRadians(result.used_instead->elevation_rad), kDecimals) +
          ", plane " + RoundedText(DegreesFromRadians(result.used_instead->plane_rad), kDecimals) +
          "\n";

@@ -225,7 +225,7 @@ std::string SummaryAsText(const SimulateArguments& arguments, const SimulationSu
          RoundedText(summary.last_error_deg, kDecimals) + " at the end\n" +
          (tally.clamped > 0
               ? std::to_string(tally.clamped) +
-                    " commands lay outside the rhythm's or the controls' ranges; the nearest pose "
+                    " commands lay outside the rhythm's or the controls' ranges; another pose "
                     "was used\n"
               : "") +
          (tally.farthest_rad > 0

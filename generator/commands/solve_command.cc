@@ -316,7 +316,7 @@ std::string UsedAsText(const ShoulderRhythm& rhythm, const ArmCommand& given,
   add("axial", rhythm.AxialCountedFrom(AxialFrom::kRhythm, given), used.axial_rad);
   add("shrug", given.shrug_rad, used.shrug_rad);
   add("protraction", given.protraction_rad, used.protraction_rad);
-  return "clamped         the nearest that can be done is used: " + differing + "\n";
+  return "clamped         used instead: " + differing + "\n";
 }
 
 std::string PoseAsText(const ShoulderRhythm& rhythm, const TypedPose& typed,

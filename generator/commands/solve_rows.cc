@@ -117,14 +117,11 @@ class RowAnswers {
     for (std::size_t i = 0; i < count; ++i) {
       tally.Add(rhythm_, rows.commands[i], solved.used[i], solved.origins[i],
                 solved.distances_rad[i]);
-      SolvedRow row{solved.angles_rad[i],
-                    rhythm_.IsClamped(rows.commands[i], solved.used[i]),
-                    solved.used[i],
-                    solved.distances_rad[i],
-                    solved.origins[i],
-                    rhythm_.AxialOf(AxialFrom::kIsb, solved.poses[i], solved.used[i]),
-                    std::nullopt,
-                    {}};
+      SolvedRow row{
+          solved.angles_rad[i], rhythm_.IsClamped(rows.commands[i], solved.used[i]),
+          solved.used[i],       solved.distances_rad[i],
+          solved.origins[i],    rhythm_.AxialOf(AxialFrom::kIsb, solved.poses[i], solved.used[i]),
+          std::nullopt,         {}};
       if (additions_.rates) {
         row.rates = rhythm_.SolveRates(rows.commands[i]);
       }

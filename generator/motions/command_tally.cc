@@ -50,7 +50,7 @@ std::string TallyText(const CommandTally& tally, Range range) {
   std::string text =
       std::to_string(tally.rows) + " rows, " + std::to_string(tally.clamped) + " clamped";
   if (tally.clamped > 0) {
-    text += " (" + ReasonText(tally, range) + "; the nearest is used)";
+    text += " (" + ReasonText(tally, range) + "; see the columns used_*)";
   }
   text += ", " + std::to_string(tally.modelled) + " modelled";
   if (tally.modelled > 0) {

@@ -26,7 +26,7 @@ struct CommandTally {
 
 /// Returns a line without its end:
 ///
-///     6 rows, 1 clamped (1 beyond what an arm reaches; the nearest is used), 2 modelled (up
+///     6 rows, 1 clamped (1 beyond what an arm reaches; see the columns used_*), 2 modelled (up
 ///     to 37.2 deg from measured directions)
 [[nodiscard]] std::string TallyText(const CommandTally& tally, Range range);
 

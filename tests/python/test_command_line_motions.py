@@ -363,7 +363,7 @@ def test_a_file_ends_with_a_line_that_counts(
     assert TALLY.fullmatch(finished.message)
     assert finished.message == (
         "girdle: standard input: 4 rows, 2 clamped (1 beyond what an arm reaches, 1 beyond the "
-        "range of a joint or control; the nearest is used), 2 modelled (up to "
+        "range of a joint or control; see the columns used_*), 2 modelled (up to "
         f"{round(farthest_deg, 1):g} deg from measured directions)\n"
     )
     (tmp_path / "motion.csv").write_text(motion_text(((0, 60, 40), (0.01, 60, 40))))
@@ -378,4 +378,4 @@ def test_a_picture_says_which_direction_it_shows(girdle_fine: Girdle, scene: Pat
     words = ("--elevation", "60", "--plane=-100", "--size", "32x24", "--out", "arm.png")
     text = girdle_fine("render", scene, *words).text
     foot_deg = math.degrees(math.atan(math.tan(math.radians(60)) * math.cos(math.radians(5))))
-    assert f"the nearest is shown: elevation {round(foot_deg, 3)}, plane -95\n" in text
+    assert f"shown instead: elevation {round(foot_deg, 3)}, plane -95\n" in text

@@ -214,7 +214,7 @@ def test_the_side_says_which_arm_is_raised(girdle_fine: Girdle, draw: Draw, tmp_
 def test_a_direction_out_of_reach_is_said(girdle_fine: Girdle, scene: Path) -> None:
     arm = ("--elevation", "150", "--plane=-31")
     finished = girdle_fine("render", scene, *SMALL, "--out", "a.png", *arm)
-    assert re.search(r"the nearest is shown: elevation \S+, plane -30\n", finished.text)
+    assert re.search(r"shown instead: elevation \S+, plane -30\n", finished.text)
 
 
 def add_skin(root: ElementTree.Element) -> None:
