@@ -115,9 +115,12 @@ std::optional<double> ProtractionArgument(const SolveArguments& arguments) {
 
 // Without an axial turn there is nothing to count.
 AxialFrom ChosenAxialFrom(const SolveArguments& arguments) {
-  if (!arguments.axial_from.empty() && !arguments.axial_deg && arguments.in.empty()) {
-    throw InputError("--axial-from " + arguments.axial_from +
-                     ": no axial turn is given. Add --axial, or leave --axial-from away");
+  if (!arguments.axial_deg && arguments.in.empty()) {
+    if (!arguments.axial_from.empty()) {
+      throw InputError("--axial-from " + arguments.axial_from +
+                       ": no axial turn is given. Add --axial, or leave --axial-from away");
+    }
+    return AxialFrom::kRhythm;
   }
   return AxialFromOf(arguments.axial_from, arguments.angles).value_or(AxialFrom::kRhythm);
 }

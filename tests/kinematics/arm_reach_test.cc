@@ -224,10 +224,11 @@ RC_GTEST_PROP(AnswerTo, IsReached, ()) {
 
 // Directions along the limit, each a few hundredths of a degree from the next.
 constexpr double kLimitStep_deg = 0.02;
+int LimitSteps(double length_deg) { return static_cast<int>(length_deg / kLimitStep_deg); }
 
 std::vector<Vector3> FrontLimit() {
   std::vector<Vector3> limit;
-  for (const double elevation_deg : Steps(0, 180, static_cast<int>(180 / kLimitStep_deg))) {
+  for (const double elevation_deg : Steps(0, 180, LimitSteps(180))) {
     limit.push_back(Vector(Direction_deg(elevation_deg, 135)));
   }
   return limit;
@@ -235,13 +236,13 @@ std::vector<Vector3> FrontLimit() {
 
 std::vector<Vector3> RearLimit() {
   std::vector<Vector3> limit;
-  for (const double elevation_deg : Steps(0, 62.5, static_cast<int>(62.5 / kLimitStep_deg))) {
+  for (const double elevation_deg : Steps(0, 62.5, LimitSteps(62.5))) {
     limit.push_back(Vector(Direction_deg(elevation_deg, -95)));
   }
-  for (const double plane_deg : Steps(-95, -77.9, static_cast<int>(17.1 / kLimitStep_deg))) {
+  for (const double plane_deg : Steps(-95, -77.9, LimitSteps(17.1))) {
     limit.push_back(Vector(Direction_deg(62.5, plane_deg)));
   }
-  for (const double elevation_deg : Steps(115.2, 180, static_cast<int>(64.8 / kLimitStep_deg))) {
+  for (const double elevation_deg : Steps(115.2, 180, LimitSteps(64.8))) {
     limit.push_back(Vector(Direction_deg(elevation_deg, -30)));
   }
   // The circle turned about its centre, as far as the limit follows it.
@@ -250,7 +251,7 @@ std::vector<Vector3> RearLimit() {
       Vector(Direction_deg(62.5, DegreesFromRadians(DirectionOf(centre).plane_rad)));
   const double touch_rad =
       std::acos(std::cos(RadiansFromDegrees(107.5)) / std::cos(RadiansFromDegrees(45)));
-  for (const double turn_deg : Steps(0, 120, static_cast<int>(120 / kLimitStep_deg))) {
+  for (const double turn_deg : Steps(0, 120, LimitSteps(120))) {
     const double turn_rad = RadiansFromDegrees(turn_deg);
     const Vector3 foot = std::cos(turn_rad) * first +
                          std::sin(turn_rad) * glm::cross(centre, first) +

@@ -95,8 +95,13 @@ void WriteSolutions(const ShoulderRhythm& rhythm, const std::vector<ArmCommand>&
   for (const Origin origin : origins) {
     origin_numbers.push_back(static_cast<double>(origin));
   }
+  std::vector<double> used_rad;
+  for (const ArmCommand& command : used) {
+    used_rad.insert(used_rad.end(), {command.elevation_rad, command.plane_rad, command.axial_rad,
+                                     command.shrug_rad, command.protraction_rad});
+  }
   Write(angles_rad);
-  Write(used);
+  Write(used_rad);
   Write(origin_numbers);
   Write(distances_rad);
   std::vector<double> rates;

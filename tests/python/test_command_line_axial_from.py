@@ -198,3 +198,13 @@ def test_a_file_of_isbs_angles_comes_out_as_it_went_in(girdle_fine: Girdle) -> N
     for row in rows:
         assert float(row["used_axial_isb_deg"]) == pytest.approx(float(row["axial_deg"]), abs=1e-9)
         assert float(row["used_elevation_deg"]) == pytest.approx(-float(row["elevation_deg"]))
+
+
+def test_isbs_convention_without_an_axial_rotation_has_the_rhythms_own_turn(
+    girdle_fine: Girdle,
+) -> None:
+    pose = ("--plane", "40", "--json")
+    isb = json.loads(
+        girdle_fine("solve", "--convention", "isb", "--elevation", "-60", *pose).text
+    )
+    assert isb == json.loads(girdle_fine("solve", "--elevation", "60", *pose).text)

@@ -17,6 +17,7 @@ from conftest import (
     PROGRAM_TIMEOUT_S,
     REFUSED,
     SCENE,
+    TALLY,
     Girdle,
     WriteModel,
     find_element,
@@ -52,6 +53,11 @@ class Seen:
                 screen = part + screen[len(part) :]
             lines.append(screen.rstrip())
         return lines
+
+
+def without_tally(lines: list[str]) -> list[str]:
+    """What stands there but for how many rows were clamped."""
+    return [line for line in lines if not TALLY.fullmatch(line + "\n")]
 
 
 def run_on_terminal(command: list[str], folder: Path, output: Path | None = None) -> Seen:
@@ -99,7 +105,7 @@ def test_progress_counts_up_on_a_terminal(typed: list[str], tmp_path: Path) -> N
 def test_nothing_of_the_progress_is_left_in_the_end(typed: list[str], tmp_path: Path) -> None:
     seen = run_on_terminal(typed, tmp_path, tmp_path / "output")
     assert seen.code == 0
-    assert seen.lines == [""]
+    assert without_tally(seen.lines) == [""]
 
 
 @pytest.mark.parametrize(
@@ -125,8 +131,9 @@ def test_a_result_on_the_terminal_is_free_of_progress(
     seen = run_on_terminal(typed, tmp_path)
     expected = [line.rstrip() for line in girdle_fine(*typed[1:]).text.split("\n")]
     assert seen.code == 0
-    assert len(seen.lines) == len(expected)
-    pairs = zip(seen.lines, expected, strict=True)
+    lines = without_tally(seen.lines)
+    assert len(lines) == len(expected)
+    pairs = zip(lines, expected, strict=True)
     assert [(found, line) for found, line in pairs if found != line][:3] == []
 
 
@@ -142,8 +149,10 @@ def expect_a_line_of_its_own(seen: Seen) -> None:
 def test_a_message_after_progress_begins_its_own_line(
     program: Path, write_model: WriteModel, tmp_path: Path, verb: str
 ) -> None:
-    """Servos so stiff that the simulation breaks off on the way."""
-    scene = write_model(lambda root: find_element(root, ".//config[@key='kp']").set("value", "1e6"))
+    """Wind and water so strong that the simulation breaks off on the way."""
+    scene = write_model(
+        lambda root: find_element(root, "option").attrib.update(density="1000", wind="400 0 0")
+    )
     typed = [str(program), *with_scene(LONG_WORK[verb], scene.parent)]
     expect_a_line_of_its_own(run_on_terminal(typed, tmp_path))
 
