@@ -102,6 +102,40 @@ def test_a_file_of_positions_swings_back_as_a_motion_does(girdle_fine: Girdle) -
         assert angle_deg(used(row), direction(elevation_deg, plane_deg)) < 1
 
 
+def walking_text() -> str:
+    """Ten seconds of an arm that swings from 28 degrees behind the body to 18 in front, 7 degrees
+    from its side, at 100 Hz, with stamps of a day's clock, turned outward behind and inward in
+    front."""
+    rows = []
+    for frame in range(1001):
+        time_s = frame / 100
+        forward = math.radians(-5 + 23 * math.sin(2 * math.pi * 0.9 * time_s))
+        aside = math.radians(7)
+        x = math.sin(forward)
+        z = math.cos(forward) * math.sin(aside)
+        elevation_deg = math.degrees(math.atan2(math.hypot(x, z), math.cos(forward) * math.cos(aside)))
+        plane_deg = math.degrees(math.atan2(x, z))
+        axial_deg = 8 * math.sin(2 * math.pi * 0.9 * time_s)
+        rows.append(f"{3600 + time_s:.2f},{elevation_deg:.4f},{plane_deg:.4f},{axial_deg:.4f}")
+    return "time_s,elevation_deg,plane_deg,axial_deg\n" + "\n".join(rows) + "\n"
+
+
+def test_a_walking_arm_is_followed_in_every_row(
+    girdle: Girdle, scene: Path, tmp_path: Path
+) -> None:
+    (tmp_path / "walk.csv").write_text(walking_text())
+    solved = girdle("solve", "--in", "walk.csv", "--out", "walked.csv")
+    assert (solved.code, solved.output) == (0, b"")
+    assert solved.message.startswith("girdle: walk.csv: 1001 rows, 0 clamped, ")
+    planes_deg = [float(row["plane_deg"]) for row in read_rows((tmp_path / "walked.csv").read_text())]
+    assert min(planes_deg) < -75
+    simulated = girdle("simulate", scene, "--motion", "walk.csv", "--trace", "trace.csv")
+    assert simulated.code == 0
+    assert "walk.csv: 5001 rows, 0 clamped, " in simulated.message
+    for row in read_rows((tmp_path / "trace.csv").read_text()):
+        assert angle_deg(used(row), humerus(row)) < 3, row["time_s"]
+
+
 CROSSING = ((0, 90, 12), (0.5, 90, 1), (0.52, 90, 359.6), (1, 90, 349))
 
 
