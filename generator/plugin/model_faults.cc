@@ -80,6 +80,7 @@ class FaultFinder {
   // Driven joints, and of each what its servo's stiffness is [N m/rad].
   [[nodiscard]] std::vector<const BoundServo*> Servos() const {
     std::vector<const BoundServo*> servos;
+    servos.reserve(binding_.servos.size() + binding_.place_servos.size());
     for (const BoundServo& servo : binding_.servos) {
       servos.push_back(&servo);
     }
@@ -180,14 +181,20 @@ class FaultFinder {
     return Ends{place(sites[0]), place(sites[1])};
   }
 
-  // The longest that a ligament is where the rhythm goes [m], looked at so far apart.
+  // The longest that a ligament is where the rhythm goes [m], looked at no farther apart than that.
   [[nodiscard]] double LongestLength_m(const Ends& ends, double apart_rad) const {
     const ArmRectangle& domain = rhythm_.rhythm().domain();
+    const double planes_rad = domain.last_plane_rad - domain.first_plane_rad;
+    const double elevations_rad = domain.highest_elevation_rad - domain.lowest_elevation_rad;
+    const auto steps = [apart_rad](double length_rad) {
+      return std::max(static_cast<int>(std::ceil(length_rad / apart_rad)), 1);
+    };
     double longest_m = 0;
-    for (double plane_rad = domain.first_plane_rad; plane_rad <= domain.last_plane_rad;
-         plane_rad += apart_rad) {
-      for (double elevation_rad = domain.lowest_elevation_rad;
-           elevation_rad <= domain.highest_elevation_rad; elevation_rad += apart_rad) {
+    for (int i = 0; i <= steps(planes_rad); ++i) {
+      const double plane_rad = domain.first_plane_rad + i * planes_rad / steps(planes_rad);
+      for (int j = 0; j <= steps(elevations_rad); ++j) {
+        const double elevation_rad =
+            domain.lowest_elevation_rad + j * elevations_rad / steps(elevations_rad);
         const Quaternion q_CS = rhythm_.SolvePose({elevation_rad, plane_rad}).q_CS;
         longest_m = std::max(longest_m, glm::length(*binding_.p_CS_m + q_CS * ends.on_scapula_m -
                                                     ends.on_clavicle_m));

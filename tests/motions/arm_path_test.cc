@@ -25,6 +25,7 @@ ArmCommand Command_deg(double elevation_deg, double plane_deg, double axial_deg 
 // Rows a second apart.
 ArmPath PathThrough(const std::vector<ArmCommand>& commands) {
   std::vector<TimedCommand> rows;
+  rows.reserve(commands.size());
   for (const ArmCommand& command : commands) {
     rows.push_back({static_cast<double>(rows.size()), command});
   }

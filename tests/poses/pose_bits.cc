@@ -92,6 +92,7 @@ void WriteSolutions(const ShoulderRhythm& rhythm, const std::vector<ArmCommand>&
     }
   }
   std::vector<double> origin_numbers;
+  origin_numbers.reserve(origins.size());
   for (const Origin origin : origins) {
     origin_numbers.push_back(static_cast<double>(origin));
   }
