@@ -353,8 +353,10 @@ void AddSimulateCommand(CLI::App& program) {
   verb->add_option("--side", arguments->side,
                    "Which shoulder the trace is of (default: the model's, or the right of both)")
       ->type_name("right|left");
-  AddAxialFromArgument(*verb, arguments->axial_from,
-                       "What axial_deg of --motion is counted from (default: as the model does)");
+  AddAxialFromArgument(
+      *verb, arguments->axial_from,
+      "What axial_deg of --motion is counted from (default: as the model does; isb "
+      "with --convention isb)");
   AddRhythmArguments(*verb, arguments->rhythm);
   AddPluginArgument(*verb, arguments->plugin);
   verb->add_flag("--json", arguments->json, "Summary as JSON");

@@ -541,7 +541,8 @@ void AddSolveCommand(CLI::App& program) {
                    "--axial-from says")
       ->type_name("DEG");
   AddAxialFromArgument(*verb, arguments->axial_from,
-                       "What --axial or the column axial_deg is counted from (default rhythm)");
+                       "What --axial or the column axial_deg is counted from (default rhythm; "
+                       "isb with --convention isb)");
   AddConventionArgument(*verb, arguments->angles);
   AddUnitArgument(*verb, arguments->angles);
   verb->add_option("--shrug", arguments->shrug_deg,

@@ -6,16 +6,30 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kinematics/rotation.h"
+
 namespace girdle {
+
+const mjtNum* BoundControl::RangeIn(const ModelView& model) const noexcept {
+  const bool is_limited = exists() && model.actuator_ctrllimited[address] != 0 &&
+                          !model.Disables(model.engine->disable_clampctrl);
+  return is_limited ? model.actuator_ctrlrange + 2 * address : nullptr;
+}
 
 double BoundControl::Read(const ModelView& model, const DataView& data) const noexcept {
   const double value = Raw(data);
-  if (!exists() || model.actuator_ctrllimited[address] == 0 ||
-      model.Disables(model.engine->disable_clampctrl)) {
-    return value;
+  const mjtNum* const range = RangeIn(model);
+  return range == nullptr ? value : std::clamp(value, range[0], range[1]);
+}
+
+double BoundControl::ReadAngle(const ModelView& model, const DataView& data) const noexcept {
+  const double value = Raw(data);
+  const mjtNum* const range = RangeIn(model);
+  if (range == nullptr || !std::isfinite(value) || (value >= range[0] && value <= range[1])) {
+    return Read(model, data);
   }
-  const mjtNum* range = model.actuator_ctrlrange + 2 * address;
-  return std::clamp(value, range[0], range[1]);
+  const double middle = (range[0] + range[1]) / 2;
+  return std::clamp(middle + std::remainder(value - middle, 2 * kPi), range[0], range[1]);
 }
 
 double BoundControl::ReadFinite(const ModelView& model, const DataView& data) const noexcept {

@@ -22,8 +22,15 @@ struct BoundControl {
   }
   /// Within its range, where the model gives one and MuJoCo is to heed it.
   [[nodiscard]] double Read(const ModelView& model, const DataView& data) const noexcept;
+  /// The same of an angle, of which whole turns do not matter: where it is out of its range they
+  /// are taken off, so that of -180 to 180 deg 350 is -10.
+  [[nodiscard]] double ReadAngle(const ModelView& model, const DataView& data) const noexcept;
   /// Within its range, and 0 for what is not a finite number.
   [[nodiscard]] double ReadFinite(const ModelView& model, const DataView& data) const noexcept;
+
+ private:
+  /// Lower and upper end; null where nothing is to be heeded.
+  [[nodiscard]] const mjtNum* RangeIn(const ModelView& model) const noexcept;
 };
 
 /// A servo and the hinge or slide that it acts on.

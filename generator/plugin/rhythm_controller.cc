@@ -57,9 +57,12 @@ void RhythmController::SolveAim(const ArmCommand& command) noexcept {
 
 ArmCommand RhythmController::ReadCommand(const ModelView& model,
                                          const DataView& data) const noexcept {
-  return {binding_.commands[0].Read(model, data), binding_.commands[1].Read(model, data),
-          binding_.commands[2].Read(model, data), binding_.commands[3].Read(model, data),
-          binding_.commands[4].Read(model, data), axial_from_};
+  const BoundControl& axial = binding_.commands[2];
+  return {
+      binding_.commands[0].Read(model, data), binding_.commands[1].ReadAngle(model, data),
+      // On top of the rhythm's own turn it is an amount, and not an angle.
+      axial_from_ == AxialFrom::kRhythm ? axial.Read(model, data) : axial.ReadAngle(model, data),
+      binding_.commands[3].Read(model, data), binding_.commands[4].Read(model, data), axial_from_};
 }
 
 bool RhythmController::FirstMisses(const DataView& data) noexcept {
@@ -103,8 +106,10 @@ JointAngles RhythmController::TargetRates(const ModelView& model, const DataView
   const std::array<double, kRateCount> read = {command.elevation_rad, command.plane_rad,
                                                command.axial_rad};
   std::array<double, kRateCount> command_rate{};
+  constexpr double kRounding = 1e-9;
   for (std::size_t i = 0; i < kRateCount; ++i) {
-    if (binding_.commands[i].Raw(data) == read[i]) {
+    // But for whole turns, which ReadAngle takes off.
+    if (std::abs(std::remainder(binding_.commands[i].Raw(data) - read[i], 2 * kPi)) < kRounding) {
       command_rate[i] = binding_.commands[kCommandCount + kOffsetCount + i].ReadFinite(model, data);
     }
   }

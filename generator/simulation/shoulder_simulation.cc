@@ -33,7 +33,7 @@ ShoulderSimulation::ShoulderSimulation(LoadedShoulders shoulders)
 
 // The plugin solves what is left of the command within the controls' ranges.
 ArmCommand ShoulderSimulation::AsModelCounts(const ArmCommand& command) const {
-  if (!has_plugin() || command.axial_from == axial_from_) {
+  if (command.axial_from == axial_from_) {
     return command;
   }
   const auto within_range = [this](double value, int control) {
@@ -42,8 +42,10 @@ ArmCommand ShoulderSimulation::AsModelCounts(const ArmCommand& command) const {
                                                       : value;
   };
   ArmCommand read = command;
-  read.elevation_rad = within_range(command.elevation_rad, elements().command_controls[0]);
-  read.plane_rad = within_range(command.plane_rad, elements().command_controls[1]);
+  if (has_plugin()) {
+    read.elevation_rad = within_range(command.elevation_rad, elements().command_controls[0]);
+    read.plane_rad = within_range(command.plane_rad, elements().command_controls[1]);
+  }
   ArmCommand counted = command;
   counted.axial_rad = rhythm_.rhythm().AxialCountedFrom(axial_from_, read);
   counted.axial_from = axial_from_;

@@ -87,7 +87,7 @@ def random_commands_deg() -> Array:
 
 def read_deg(commands_deg: Array) -> tuple[Array, Array, Array]:
     elevation_deg, plane_deg, axial_deg = commands_deg
-    return np.clip(elevation_deg, 0.0, 180.0), np.clip(plane_deg, -180.0, 180.0), axial_deg
+    return np.clip(elevation_deg, 0.0, 180.0), (plane_deg + 180.0) % 360.0 - 180.0, axial_deg
 
 
 def expected_targets_rad(smooth: SmoothRhythm, zero: AxialFrom, commands_deg: Array) -> Array:
@@ -286,6 +286,25 @@ def test_a_file_of_isbs_angles_moves_every_model_alike(
     for stem in COORDINATES:
         for column, tolerance_deg in ((f"target_{stem}_deg", 1e-9), (f"{stem}_deg", FED_FORWARD_DEG)):
             assert other[column] == pytest.approx(plain[column], abs=tolerance_deg), column
+
+
+def test_the_trace_of_position_servos_counts_as_a_motion_does(
+    run_program: RunProgram, shared: SharedResults, tmp_path: Path
+) -> None:
+    (tmp_path / "motion.csv").write_text(
+        "time_s,elevation_deg,plane_deg,axial_deg\n0,30,20,-40\n0.2,60,50,-70\n"
+    )
+    scene = shared.generate("--actuation", "position").scene
+    first = trace(
+        run_program, scene, tmp_path, "--motion", str(tmp_path / "motion.csv"), "--axial-from", "isb"
+    )
+    assert first["used_axial_isb_deg"][[0, -1]] == pytest.approx([-40.0, -70.0], abs=1e-9)
+    again = tmp_path / "again"
+    again.mkdir()
+    second = trace(run_program, scene, again, "--motion", str(tmp_path / "trace.csv"))
+    for stem in COORDINATES:
+        column = f"target_{stem}_deg"
+        assert second[column] == pytest.approx(first[column], abs=1e-9), column
 
 
 def test_a_raise_has_the_rhythms_own_turn_in_every_model(

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "names/joint_dynamics.h"
@@ -206,6 +207,21 @@ TEST_F(PluginTest, CommandsBehindTheReachAreAnsweredByTheRhythm) {
       std::equal(expected.begin(), expected.end(), data_->sensordata + sensor_layout::kTarget));
   // The distance is that of the command itself: 60 deg from the frontal plane, in the horizontal.
   EXPECT_NEAR(data_->sensordata[sensor_layout::kDistance], RadiansFromDegrees(60), 1e-12);
+}
+
+TEST_F(PluginTest, WholeTurnsOfThePlaneDoNotMatter) {
+  const std::vector<std::pair<double, double>> same_planes_deg = {
+      {400, 40}, {350, -10}, {265, -95}, {-240, 120}, {181, -179}};
+  for (const auto& [turned_deg, plane_deg] : same_planes_deg) {
+    SetCommand({RadiansFromDegrees(50), RadiansFromDegrees(plane_deg)});
+    mj_forward(model_.get(), data_.get());
+    const std::vector<double> expected(data_->sensordata, data_->sensordata + model_->nsensordata);
+    SetCommand({RadiansFromDegrees(50), RadiansFromDegrees(turned_deg)});
+    mj_forward(model_.get(), data_.get());
+    for (std::size_t k = 0; k < expected.size(); ++k) {
+      EXPECT_NEAR(data_->sensordata[k], expected[k], 1e-12) << turned_deg << " " << k;
+    }
+  }
 }
 
 class PublishedPluginTest : public PluginTest {
