@@ -43,15 +43,16 @@ struct TranslationDynamics {
 /// Where the scapula leads: near critical for scapula and arm (3 kg), with the same lag of 20 ms.
 inline constexpr TranslationDynamics kLeadingTranslation = {10000, 200, 0.05};
 /// Where it follows the clavicle: the connect holds it, and the damping keeps what the connect
-/// pushes there and back at long time steps from ringing: at 5 ms the joint opens by 180 mm with 1
-/// N s/m, and does not come to rest after a command that jumps with 100.
-inline constexpr TranslationDynamics kFollowingTranslation = {0, 300, 0.05};
+/// pushes there and back at long time steps from ringing: with 300 N s/m the joint opens by 36 mm
+/// at 5 ms, with 1 by 400.
+inline constexpr TranslationDynamics kFollowingTranslation = {0, 1000, 0.05};
 
 /// How the connect of an assembly loop holds the AC joint. A constraint of time constant t and
 /// damping ratio r gives way by a (t r)^2 to what it does not foresee, the acceleration a with
-/// which the arm swings about SC (7 m/s^2 at 1 Hz): 0.05 mm with the shortest t there is at 2 ms,
-/// two steps. How hard it is (solimp) does not show.
-inline constexpr std::array<double, 2> kConnectSolref = {0.004, 0.7};
+/// which the arm swings about SC (16 m/s^2 where it goes from 0 to 150 deg and back at 1 Hz): 0.04
+/// mm with the shortest t there is at 2 ms, two steps. With r = 0.3 it rings at 5 ms where the
+/// scapula leads. How hard it is (solimp) does not show.
+inline constexpr std::array<double, 2> kConnectSolref = {0.004, 0.4};
 inline constexpr std::array<double, 3> kConnectSolimp = {0.99, 0.99, 0.001};
 
 /// How hard the thorax pushes TS and AI out of the gliding ellipsoid: F = k p at a depth p, with k

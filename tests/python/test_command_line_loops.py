@@ -9,31 +9,48 @@ import json
 import math
 import re
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import pytest
 from conftest import Girdle, Refuses
 
-# Raised and lowered once a second, through the table.
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+# Up and down, or back and forth, once a second.
 PERIOD_S = 1.0
 MOTION_S = 2.0
 SAMPLE_S = 0.01
 # Gaps are allowed to be so large at steps of so many milliseconds [mm].
 LARGEST_GAP_MM = {1: 0.1, 2: 0.1, 5: 1.0}
-LONGEST_S = {"clavicle": "0.005", "scapula": "0.007"}
 # Positions of order one in the trace, to whole doubles.
 ROUNDING_MM = 1e-9
 
 
-@pytest.fixture
-def motion(tmp_path: Path) -> Path:
+def raised(phase: float) -> tuple[float, float]:
+    """To the front, from hanging to 150 degrees."""
+    return 75 - 75 * math.cos(phase), 90
+
+
+def swung(phase: float) -> tuple[float, float]:
+    """Past hanging, where the plane turns round."""
+    forward_deg = 5 - 35 * math.cos(phase)
+    return abs(forward_deg), 90 if forward_deg > 0 else -90
+
+
+def written(path: Path, command: Callable[[float], tuple[float, float]]) -> Path:
     rows = ["time_s,elevation_deg,plane_deg"]
     for i in range(round(MOTION_S / SAMPLE_S) + 1):
         time_s = i * SAMPLE_S
-        elevation_deg = 67.5 - 52.5 * math.cos(2 * math.pi * time_s / PERIOD_S)
-        rows.append(f"{time_s:.2f},{elevation_deg:.6f},90")
-    path = tmp_path / "motion.csv"
+        elevation_deg, plane_deg = command(2 * math.pi * time_s / PERIOD_S)
+        rows.append(f"{time_s:.2f},{elevation_deg:.6f},{plane_deg}")
     path.write_text("\n".join(rows) + "\n")
     return path
+
+
+@pytest.fixture
+def motion(tmp_path: Path) -> Path:
+    return written(tmp_path / "motion.csv", raised)
 
 
 def stepped(girdle_fine: Girdle, folder: Path, step_ms: int, *options: str) -> Path:
@@ -59,9 +76,16 @@ def gap_of_trace_mm(trace: Path) -> float:
 @pytest.mark.parametrize("actuation", ["plugin", "position"])
 @pytest.mark.parametrize("lead", ["clavicle", "scapula"])
 @pytest.mark.parametrize("step_ms", [1, 2, 5])
+@pytest.mark.parametrize("moved", [raised, swung])
 def test_a_loop_holds_and_its_gap_is_reported(
-    girdle_fine: Girdle, tmp_path: Path, motion: Path, lead: str, step_ms: int, actuation: str
+    girdle_fine: Girdle,
+    tmp_path: Path,
+    moved: Callable[[float], tuple[float, float]],
+    lead: str,
+    step_ms: int,
+    actuation: str,
 ) -> None:
+    motion = written(tmp_path / "motion.csv", moved)
     loop = ("--assembly", "loop", "--lead", lead, "--actuation", actuation)
     model = stepped(girdle_fine, tmp_path / "model", step_ms, *loop)
     words = ("simulate", str(model), "--motion", str(motion))
@@ -88,19 +112,64 @@ def test_a_tree_has_no_loop(girdle_fine: Girdle, tmp_path: Path, motion: Path) -
 
 
 @pytest.mark.parametrize("lead", ["clavicle", "scapula"])
-@pytest.mark.parametrize("step_ms", [8, 10])
+@pytest.mark.parametrize("actuation", ["plugin", "position"])
 def test_longer_steps_are_refused_with_the_longest_one(
-    girdle_fine: Girdle, refuses: Refuses, tmp_path: Path, motion: Path, lead: str, step_ms: int
+    girdle_fine: Girdle, refuses: Refuses, tmp_path: Path, motion: Path, lead: str, actuation: str
 ) -> None:
-    model = stepped(girdle_fine, tmp_path / "model", step_ms, "--assembly", "loop", "--lead", lead)
+    loop = ("--assembly", "loop", "--lead", lead, "--actuation", actuation)
     refuses(
-        *("simulate", str(model), "--motion", str(motion)),
+        *("simulate", str(stepped(girdle_fine, tmp_path / "model", 8, *loop)), "--motion", str(motion)),
         because=(
-            f"the time step is {step_ms / 1e3:g} s",
-            f"the longest for a loop that the {lead} leads is {LONGEST_S[lead]} s",
-            'write <option timestep="0.002" integrator="implicitfast"/>',
+            "the time step is 0.008 s, and the longest for a loop is 0.005 s",
+            'write <option timestep="0.005" integrator="implicitfast"/>',
         ),
     )
+
+
+@pytest.mark.parametrize(
+    ("integrator", "flag", "longest_s"),
+    [("RK4", "", 0.002), ("Euler", '<flag eulerdamp="disable"/>', 0.001)],
+)
+def test_position_servos_with_explicit_damping(
+    girdle_fine: Girdle,
+    refuses: Refuses,
+    tmp_path: Path,
+    motion: Path,
+    integrator: str,
+    flag: str,
+    longest_s: float,
+) -> None:
+    """They have no plugin that says it."""
+    path = stepped(girdle_fine, tmp_path / "model", 2, "--actuation", "position")
+    words = ("simulate", str(path), "--motion", str(motion))
+    own = re.compile(r"<option timestep=\"0.002\" integrator=\"implicitfast\"(.*?)/>")
+    model = path.read_text()
+    assert own.search(model)
+
+    def step(step_s: float) -> None:
+        option = rf'<option timestep="{step_s}" integrator="{integrator}"\1>{flag}</option>'
+        path.write_text(own.sub(option, model))
+
+    step(longest_s)
+    girdle_fine(*words)
+    step(0.003)
+    refuses(*words, because=("the time step is 0.003 s, and the longest for a tree with ", f"{longest_s} s"))
+
+
+def test_a_place_servo_that_is_held_back(
+    girdle_fine: Girdle, refuses: Refuses, tmp_path: Path, motion: Path
+) -> None:
+    path = stepped(girdle_fine, tmp_path / "model", 2, "--assembly", "loop", "--lead", "scapula")
+    text = path.read_text()
+    changed = text.replace('joint="st_lateral_r"', 'joint="st_lateral_r" forcerange="-50 60"')
+    assert changed != text
+    path.write_text(changed)
+    because = (
+        'joint "st_lateral_r" gets no more than -50 to 60 N of its servo, which needs 100 where it lags by '
+        "10 mm",
+        'write forcelimited="false"',
+    )
+    refuses("simulate", str(path), "--motion", str(motion), because=because)
 
 
 @pytest.mark.parametrize("assembly", ["tree", "loop"])
