@@ -14,6 +14,7 @@
 #include "anatomy/built_in_anatomy.h"
 #include "kinematics/worst_case.h"
 #include "motions/motion.h"
+#include "names/longest_timestep.h"
 #include "pictures/frame_renderer.h"
 #include "pictures/gl_context.h"
 #include "pictures/png_file.h"
@@ -123,6 +124,19 @@ ShoulderSimulation SimulationFor(const std::string& model_path, std::optional<Si
   return {std::move(loaded), std::move(own)};
 }
 
+// What the plugin would say of the time step, were it in the model.
+std::string StepFault(const LoadedShoulders& loaded) {
+  const mjOption& option = loaded.model().opt;
+  const bool is_explicit = (option.disableflags & mjDSBL_EULERDAMP) != 0;
+  DampingScheme scheme = DampingScheme::kImplicit;
+  if (option.integrator == mjINT_RK4) {
+    scheme = DampingScheme::kRungeKutta;
+  } else if (option.integrator == mjINT_EULER && is_explicit) {
+    scheme = DampingScheme::kExplicitEuler;
+  }
+  return TimestepFault(option.timestep, loaded.elements().assembly, scheme);
+}
+
 // Refuses to write controls that say less than the model does.
 void ExpectControls(const ShoulderSimulation& simulation) {
   if (simulation.has_plugin() && simulation.elements().rate_controls.front() >= 0) {
@@ -159,7 +173,8 @@ SimulationSummary Simulate(const std::string& model_path, const std::string& plu
   const EngineWatch watch;
   LoadPlugin(plugin);
   ShoulderSimulation simulation = SimulationFor(model_path, request.side, rhythm);
-  const std::string fault = EngineWatch::TakeModelFault();
+  const std::string fault =
+      simulation.has_plugin() ? EngineWatch::TakeModelFault() : StepFault(simulation.loaded());
   if (!fault.empty()) {
     throw InputError(model_path + ": " + fault);
   }

@@ -27,6 +27,9 @@ constexpr double kShortestLag_s = 0.004;
 constexpr double kLongestLag_s = 0.1;
 // Of a ligament beyond its slack: 20 N, which turn no joint by more than 0.02 degrees.
 constexpr double kSlightStretch_m = 2e-4;
+// By which a joint lags at least where the arm goes up and down once a second.
+constexpr double kOrdinaryError_rad = 0.1;
+constexpr double kOrdinaryError_m = 0.01;
 constexpr int kPolynomialTerms = 2;  // mjNPOLY
 
 class FaultFinder {
@@ -38,6 +41,8 @@ class FaultFinder {
   [[nodiscard]] std::string Find() {
     CheckRanges();
     CheckTimestep();
+    CheckLoop();
+    CheckForceRanges();
     CheckDamping();
     CheckSprings();
     CheckLigaments();
@@ -45,7 +50,9 @@ class FaultFinder {
   }
 
  private:
-  void Add(const std::string& fault) { faults_ += (faults_.empty() ? "" : "; ") + fault; }
+  void Add(const std::string& fault) {
+    faults_ += (faults_.empty() || fault.empty() ? "" : "; ") + fault;
+  }
 
   void CheckRanges() {
     double widest_rad = 0;
@@ -56,25 +63,71 @@ class FaultFinder {
       Add("all joint ranges are within " + SignificantText(widest_rad, 2) +
           " rad, as if their radians had been read as degrees: write <compiler angle=\"radian\"/> "
           "after the last <include>, or in Python set compiler.degree of the parent to False "
-          "before "
-          "you attach");
+          "before you attach");
     }
   }
 
-  void CheckTimestep() {
-    const Lead lead = binding_.has_place_servos ? Lead::kScapula : Lead::kClavicle;
-    const bool is_rk4 = compiled_.integrator == model_.engine->integrator_rk4;
-    const double longest_s = LongestTimestep_s(binding_.assembly, lead, is_rk4);
-    if (compiled_.timestep_s <= longest_s * (1 + 1e-9)) {
+  [[nodiscard]] DampingScheme Scheme() const {
+    if (compiled_.integrator == model_.engine->integrator_rk4) {
+      return DampingScheme::kRungeKutta;
+    }
+    const bool is_euler = compiled_.integrator == model_.engine->integrator_euler;
+    return is_euler && model_.Disables(model_.engine->disable_eulerdamp)
+               ? DampingScheme::kExplicitEuler
+               : DampingScheme::kImplicit;
+  }
+
+  void CheckTimestep() { Add(TimestepFault(compiled_.timestep_s, binding_.assembly, Scheme())); }
+
+  void CheckLoop() {
+    if (binding_.assembly != Assembly::kLoop) {
       return;
     }
-    std::string kind(Name(binding_.assembly));
-    if (binding_.assembly == Assembly::kLoop) {
-      kind += " that the " + std::string(Name(lead)) + " leads";
+    if (model_.Disables(model_.engine->disable_equality)) {
+      Add("nothing holds the AC joint of the loop, because constraints are disabled: write <flag "
+          "equality=\"enable\"/> in <option>");
+    } else if (binding_.closing_connect && compiled_.eq_active0[*binding_.closing_connect] == 0) {
+      Add("nothing holds the AC joint of the loop, because its <connect> starts inactive: write "
+          "active=\"true\" there");
     }
-    Add("the time step is " + NumberText(compiled_.timestep_s) + " s, and the longest for a " +
-        kind + (is_rk4 ? " with RK4" : "") + " is " + NumberText(longest_s) +
-        " s: write <option timestep=\"0.002\" integrator=\"implicitfast\"/>");
+  }
+
+  [[nodiscard]] int ActuatorOf(const BoundServo& servo) const {
+    int actuator = 0;
+    while (model_.OutputOf(actuator) != servo.force_address) {
+      ++actuator;
+    }
+    return actuator;
+  }
+
+  // Whether a range is narrower than what a servo needs.
+  static bool IsTight(mjtByte is_limited, const mjtNum* range, double needed) {
+    return is_limited != 0 && (range[0] > -needed || range[1] < needed);
+  }
+
+  // The first servo that is held back; the line mends all.
+  void CheckForceRanges() {
+    for (const BoundServo* const servo : Servos()) {
+      const int joint = model_.dof_jntid[servo->dof_address];
+      const int actuator = ActuatorOf(*servo);
+      const bool is_slide = model_.jnt_type[joint] == model_.engine->joint_slide;
+      const double needed = servo->stiffness * (is_slide ? kOrdinaryError_m : kOrdinaryError_rad);
+      const mjtNum* range = compiled_.jnt_actfrcrange + 2 * joint;
+      std::string line = "<joint actuatorfrclimited=\"false\"/> in <default class=\"girdle\">";
+      if (!IsTight(compiled_.jnt_actfrclimited[joint], range, needed)) {
+        range = compiled_.actuator_forcerange + 2 * actuator;
+        // Actuators take no class of their body.
+        line = "forcelimited=\"false\" into each of the shoulder's <plugin> in <actuator>";
+        if (!IsTight(compiled_.actuator_forcelimited[actuator], range, needed)) {
+          continue;
+        }
+      }
+      Add(JointName(*servo) + " gets no more than " + SignificantText(range[0], 3) + " to " +
+          SignificantText(range[1], 3) + (is_slide ? " N" : " N m") +
+          " of its servo, which needs " + SignificantText(needed, 3) + " where it lags by " +
+          (is_slide ? "10 mm" : "0.1 rad") + ": write " + line);
+      return;
+    }
   }
 
   // Driven joints, and of each what its servo's stiffness is [N m/rad].

@@ -19,6 +19,8 @@ namespace girdle {
 /// semicolons.
 ///   ranges      read as degrees;
 ///   time step   longer than LongestTimestep_s;
+///   loop        whose constraint is disabled;
+///   force       of a servo that is kept within a narrow range;
 ///   damping     disabled, with terms beside the linear one, or with a lag far from that of the
 ///               emitted models;
 ///   stiffness, friction loss   of a joint that has a servo;

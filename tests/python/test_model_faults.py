@@ -24,7 +24,7 @@ LOOP = MODELS / "shoulder_loop" / "shoulder_right.xml"
 SHIPPED = sorted(path for path in MODELS.glob("*/shoulder_*.xml") if not path.stem.endswith("_position"))
 
 RADIAN = '<compiler angle="radian"/>'
-OPTION = '<option timestep="0.002" integrator="implicitfast"/>'
+OPTION = '<option timestep="{step_s:g}" integrator="implicitfast"/>'
 
 
 @pytest.fixture
@@ -71,16 +71,13 @@ def test_ranges_that_were_read_as_degrees(tmp_path: Path, warnings: list[str]) -
     assert said_of(mended, warnings) == ""
 
 
-KINDS = {
-    "tree": (TREE, "a tree", 0.010, 0.002),
-    "loop": (LOOP, "a loop that the clavicle leads", 0.005, 0.001),
-}
+KINDS = {"tree": (TREE, 0.010, 0.002), "loop": (LOOP, 0.005, 0.001)}
 
 
-@pytest.mark.parametrize(("path", "kind", "longest_s", "longest_rk4_s"), KINDS.values(), ids=KINDS)
+@pytest.mark.parametrize(("kind", "path", "longest_s", "longest_rk4_s"), [(k, *v) for k, v in KINDS.items()])
 @pytest.mark.parametrize("integrator", ["EULER", "RK4", "IMPLICIT", "IMPLICITFAST"])
 def test_time_steps_longer_than_the_longest(
-    path: Path, kind: str, longest_s: float, longest_rk4_s: float, integrator: str, warnings: list[str]
+    kind: str, path: Path, longest_s: float, longest_rk4_s: float, integrator: str, warnings: list[str]
 ) -> None:
     model = mujoco.MjModel.from_xml_path(str(path))
     model.opt.integrator = getattr(mujoco.mjtIntegrator, "mjINT_" + integrator)
@@ -91,7 +88,68 @@ def test_time_steps_longer_than_the_longest(
         model.opt.timestep = step_s
         said = said_of(model, warnings)
         with_rk4 = " with RK4" if integrator == "RK4" else ""
-        assert f"the longest for {kind}{with_rk4} is {longest} s: write {OPTION}" in said
+        option = OPTION.format(step_s=min(step_s, longest_s))
+        assert f"the longest for a {kind}{with_rk4} is {longest} s: write {option}" in said
+
+
+@pytest.mark.parametrize(("kind", "path"), [("tree", TREE), ("loop", LOOP)])
+def test_euler_that_takes_the_damping_explicitly(kind: str, path: Path, warnings: list[str]) -> None:
+    model = mujoco.MjModel.from_xml_path(str(path))
+    model.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_EULERDAMP)
+    assert said_of(model, warnings) == ""  # it is Euler's flag alone
+    model.opt.integrator = mujoco.mjtIntegrator.mjINT_EULER
+    option = OPTION.format(step_s=0.002)
+    assert (
+        f"the longest for a {kind} with Euler without eulerdamp is 0.001 s: write {option}"
+        in said_of(model, warnings)
+    )
+    model.opt.timestep = 0.001
+    assert said_of(model, warnings) == ""
+
+
+def test_a_loop_that_nothing_closes(warnings: list[str]) -> None:
+    model = mujoco.MjModel.from_xml_path(str(LOOP))
+    model.eq_active0[0] = 0
+    assert 'its <connect> starts inactive: write active="true" there' in said_of(model, warnings)
+    model.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_EQUALITY)
+    assert 'constraints are disabled: write <flag equality="enable"/> in <option>' in said_of(model, warnings)
+    tree = mujoco.MjModel.from_xml_path(str(TREE))
+    tree.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_EQUALITY)
+    assert said_of(tree, warnings) == ""
+
+
+@pytest.mark.parametrize("path", [TREE, LOOP], ids=["tree", "loop"])
+@pytest.mark.parametrize(
+    ("defaults", "line", "put_into"),
+    [
+        (
+            '<joint actuatorfrcrange="-10 10"/>',
+            '<joint actuatorfrclimited="false"/> in <default class="girdle">',
+            ("<site size", '<joint actuatorfrclimited="false"/><site size'),
+        ),
+        (
+            '<general forcerange="-10 10"/>',
+            'forcelimited="false" into each of the shoulder\'s <plugin> in <actuator>',
+            ('instance="rhythm_r" ctrlrange', 'instance="rhythm_r" forcelimited="false" ctrlrange'),
+        ),
+    ],
+    ids=["of joints", "of actuators"],
+)
+def test_force_ranges_of_a_parents_defaults(
+    path: Path, defaults: str, line: str, put_into: tuple[str, str], tmp_path: Path, warnings: list[str]
+) -> None:
+    def with_defaults(source: Path, given: str) -> str:
+        return said_of(parent_of(source, f"<default>{given}</default>", "", tmp_path), warnings)
+
+    assert (
+        'joint "sc_protraction_r" gets no more than -10 to 10 N m of its servo, which needs 150 where it '
+        f"lags by 0.1 rad: write {line}" in with_defaults(path, defaults)
+    )
+    # A servo is not held back by what it does not ask for.
+    assert with_defaults(path, defaults.replace("10", "160")) == ""
+    mended = tmp_path / "mended.xml"
+    mended.write_text(path.read_text().replace(*put_into))
+    assert with_defaults(mended, defaults) == ""
 
 
 def test_a_disabled_damper(warnings: list[str]) -> None:
@@ -173,7 +231,7 @@ def test_several_faults_are_one_warning(warnings: list[str]) -> None:
     model.opt.timestep = 0.02
     model.jnt_stiffness[:] = 1
     said = said_of(model, warnings)
-    assert OPTION + "; joint" in said
+    assert OPTION.format(step_s=0.01) + "; joint" in said
     assert said.startswith('girdle.rhythm instance "rhythm_r": ')
 
 
