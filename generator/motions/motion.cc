@@ -18,13 +18,13 @@
 namespace girdle {
 namespace {
 
-ArmCommand Between(const ArmCommand& a, const ArmCommand& b, double t) {
-  const auto mix = [t](double from, double to) { return from + t * (to - from); };
-  return {mix(a.elevation_rad, b.elevation_rad),
-          mix(a.plane_rad, b.plane_rad),
-          mix(a.axial_rad, b.axial_rad),
-          mix(a.shrug_rad, b.shrug_rad),
-          mix(a.protraction_rad, b.protraction_rad),
+// On a straight line in the numbers of commands.
+ArmCommand StraightBetween(const ArmCommand& a, const ArmCommand& b, double share) noexcept {
+  return {Between(a.elevation_rad, b.elevation_rad, share),
+          Between(a.plane_rad, b.plane_rad, share),
+          Between(a.axial_rad, b.axial_rad, share),
+          Between(a.shrug_rad, b.shrug_rad, share),
+          Between(a.protraction_rad, b.protraction_rad, share),
           a.axial_from};
 }
 
@@ -75,7 +75,7 @@ Motion ReachingMotion(std::string name, const ArmCommand& from, const ArmCommand
   // s = 10 t^3 - 15 t^4 + 6 t^5: velocity and acceleration are 0 at both ends.
   return {std::move(name), duration_s, [from, to, duration_s](double time_s) {
             const double t = std::clamp(time_s / duration_s, 0.0, 1.0);
-            return Between(from, to, t * t * t * (10 + t * (-15 + 6 * t)));
+            return StraightBetween(from, to, t * t * t * (10 + t * (-15 + 6 * t)));
           }};
 }
 

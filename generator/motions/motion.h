@@ -40,9 +40,9 @@ using CommandRate = std::array<double, kRateCount>;
 [[nodiscard]] CommandRate RateOf(const Motion& motion, double time_s, double step_s);
 
 /// Returns a motion from one command to another, which count axial turns from one zero, on a
-/// straight line in (elevation, plane, axial),
-/// with the speed profile of a reaching arm (least jerk: Flash and Hogan, J Neurosci 1985;5:1688),
-/// at rest at both ends. Precondition: duration_s > 0.
+/// straight line in (elevation, plane, axial), with the speed profile of a reaching arm (least
+/// jerk: Flash and Hogan, J Neurosci 1985;5:1688), at rest at both ends. Precondition: duration_s >
+/// 0.
 [[nodiscard]] Motion ReachingMotion(std::string name, const ArmCommand& from, const ArmCommand& to,
                                     double duration_s);
 
