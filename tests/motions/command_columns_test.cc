@@ -143,12 +143,20 @@ TEST(AngleSpan, TellsRadiansThatNobodySaid) {
             "like radians. Give --angles rad, or --angles deg if they are degrees");
 }
 
+TEST(AngleSpan, TellsRadiansOfPlanesThatAreCountedFromZeroToAWholeTurn) {
+  for (const double plane : {3.3, 6.28, -6.28}) {
+    EXPECT_TRUE(RefusalOf(RaisedTo(2.1, 10, plane)).ends_with("--angles deg if they are degrees"))
+        << plane;
+  }
+}
+
 TEST(AngleSpan, LeavesWhatIsSaidOrShortOrStillOrFar) {
   EXPECT_EQ(RefusalOf(RaisedTo(2.1, 10, 0.7), kRadians), "accepted");
   EXPECT_EQ(RefusalOf(RaisedTo(2.1, 10, 0.7), kDegrees), "accepted");
   EXPECT_EQ(RefusalOf(RaisedTo(2.1, 9, 0.7)), "accepted");
   EXPECT_EQ(RefusalOf(RaisedTo(0.6, 10, 0.7)), "accepted");
-  EXPECT_EQ(RefusalOf(RaisedTo(2.1, 10, 3.3)), "accepted");
+  EXPECT_EQ(RefusalOf(RaisedTo(2.1, 10, 6.5)), "accepted");
+  EXPECT_EQ(RefusalOf(RaisedTo(2.1, 10, -6.5)), "accepted");
   EXPECT_EQ(RefusalOf(RaisedTo(3.3, 10, 0.7)), "accepted");
 }
 

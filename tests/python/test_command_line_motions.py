@@ -290,6 +290,14 @@ def test_a_motion_that_looks_like_radians_is_refused(
     refuses(*words, because=("motion.csv: in 10 rows", "look like radians", "--angles rad"))
 
 
+def test_radians_with_planes_up_to_a_whole_turn_are_refused(
+    refuses: Refuses, tmp_path: Path
+) -> None:
+    (tmp_path / "poses.csv").write_text(RADIANS.replace(",0.7", ",5.6"))
+    because = ("poses.csv: in 10 rows", "plane_deg 5.6 to 5.6", "look like radians")
+    refuses("solve", "--in", "poses.csv", because=because)
+
+
 def test_the_unit_is_the_one_that_is_said(girdle_fine: Girdle) -> None:
     words = ("solve", "--in", "-", "--angles")
     for unit, factor in (("rad", math.degrees(1)), ("deg", 1)):
