@@ -6,18 +6,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
 #include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <system_error>
-#include <utility>
-#include <vector>
 
 #include "commands/angle_arguments.h"
+#include "commands/named_files.h"
 #include "commands/output_file.h"
 #include "commands/picture_arguments.h"
 #include "commands/progress.h"
@@ -125,30 +122,6 @@ MotionRequest Requested(const SimulateArguments& arguments) {
   return request;
 }
 
-// Whether two paths, of which neither has to be there, are one place.
-bool SameFile(const std::string& a, const std::string& b) {
-  std::error_code unclear;
-  const std::filesystem::path place_a =
-      std::filesystem::weakly_canonical(std::filesystem::absolute(a, unclear), unclear);
-  const std::filesystem::path place_b =
-      std::filesystem::weakly_canonical(std::filesystem::absolute(b, unclear), unclear);
-  return !unclear && place_a == place_b;
-}
-
-// Of options and the files that they name; empty for none.
-void ExpectDifferentFiles(const std::vector<std::pair<std::string, std::string>>& outputs) {
-  for (std::size_t i = 0; i < outputs.size(); ++i) {
-    for (std::size_t j = i + 1; j < outputs.size(); ++j) {
-      const auto& [first, first_file] = outputs[i];
-      const auto& [second, second_file] = outputs[j];
-      if (!first_file.empty() && !second_file.empty() && SameFile(first_file, second_file)) {
-        throw InputError(first + " and " + second + " both want " + second_file +
-                         ". Give each a file of its own");
-      }
-    }
-  }
-}
-
 // All but where the pictures go.
 PictureRequest RequestedPictures(const SimulateArguments& arguments) {
   if (arguments.picture.empty() && arguments.video.empty() && !arguments.view.empty()) {
@@ -249,10 +222,14 @@ void Simulate(const SimulateArguments& arguments) {
   if (arguments.controls == "-" && (arguments.json || arguments.trace == "-")) {
     throw InputError("--controls - wants standard output alone. Write one of them to a file");
   }
-  ExpectDifferentFiles({{"--trace", arguments.trace},
-                        {"--controls", arguments.controls},
-                        {"--picture", arguments.picture},
-                        {"--video", arguments.video}});
+  ExpectFilesApart({{"--trace", arguments.trace},
+                    {"--controls", arguments.controls},
+                    {"--picture", arguments.picture},
+                    {"--video", arguments.video}},
+                   {{"the model", arguments.model},
+                    {"--motion", arguments.motion.value_or("")},
+                    {"--table", TableFile(arguments.rhythm.table)},
+                    {"--plugin", arguments.plugin}});
   PictureRequest pictures = RequestedPictures(arguments);
   const SimulationModule& simulation = LoadSimulation();
   std::optional<OutputFile> trace;

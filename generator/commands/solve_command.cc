@@ -23,6 +23,7 @@
 #include "commands/anatomy_arguments.h"
 #include "commands/angle_arguments.h"
 #include "commands/angle_sweep.h"
+#include "commands/named_files.h"
 #include "commands/output_file.h"
 #include "commands/rhythm_arguments.h"
 #include "commands/shoulder_points.h"
@@ -475,6 +476,10 @@ void SolveAllPositions(const SolveArguments& arguments) {
 }
 
 void Solve(const SolveArguments& arguments) {
+  ExpectFilesApart({{"--out", arguments.out}}, {{"--in", arguments.in},
+                                                {"--table", TableFile(arguments.rhythm.table)},
+                                                {"--anatomy", arguments.anatomy.file},
+                                                {"--thorax", arguments.anatomy.thorax}});
   if (arguments.posture) {
     SolvePosture(arguments);
     return;

@@ -36,7 +36,7 @@ inline constexpr std::array<std::string_view, 2> kAngleConventionNames = {"girdl
 constexpr const auto& WordsOf(AngleConvention /*which*/) noexcept { return kAngleConventionNames; }
 
 /// The unit of angles in a file, whatever its columns are called.
-enum class AngleUnit { kDegrees, kRadians };
+enum class AngleUnit { kDegree, kRadian };
 inline constexpr std::array<std::string_view, 2> kAngleUnitNames = {"deg", "rad"};
 constexpr const auto& WordsOf(AngleUnit /*which*/) noexcept { return kAngleUnitNames; }
 

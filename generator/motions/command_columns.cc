@@ -48,12 +48,12 @@ CommandColumns::CommandColumns(const CsvReader& csv, const AngleReading& reading
 }
 
 double CommandColumns::Degrees(double number) const noexcept {
-  return reading_.unit == AngleUnit::kRadians ? DegreesFromRadians(number) : number;
+  return reading_.unit == AngleUnit::kRadian ? DegreesFromRadians(number) : number;
 }
 
 double CommandColumns::OffsetRead_deg(const CsvRows& row, const Offset& offset) const {
   const double number = row.Number(offset.index);
-  const bool is_radians = reading_.unit == AngleUnit::kRadians;
+  const bool is_radians = reading_.unit == AngleUnit::kRadian;
   // As typed, so that the bounds themselves are accepted in radians.
   const double offset_deg = is_radians ? TypedDegrees(number) : number;
   if (offset_deg < offset.lower_deg || offset_deg > offset.upper_deg) {

@@ -41,8 +41,8 @@ std::string RefusalOf(const std::string& text, const AngleReading& reading = {})
 }
 
 constexpr AngleReading kIsb = {AngleConvention::kIsb, {}};
-constexpr AngleReading kRadians = {AngleConvention::kGirdle, AngleUnit::kRadians};
-constexpr AngleReading kDegrees = {AngleConvention::kGirdle, AngleUnit::kDegrees};
+constexpr AngleReading kRadians = {AngleConvention::kGirdle, AngleUnit::kRadian};
+constexpr AngleReading kDegrees = {AngleConvention::kGirdle, AngleUnit::kDegree};
 
 TEST(CommandColumns, AreReadInAnyOrderAmongOthers) {
   const ArmCommand command =

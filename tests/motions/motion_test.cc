@@ -79,7 +79,7 @@ TEST(ReadMotion, LeavesOtherColumnsAlone) {
 TEST(ReadMotion, ReadsTheConventionAndTheUnitThatAreSaid) {
   std::istringstream in("time_s,elevation_deg,plane_deg\n0,-0.5,0.25\n1,-1.5,0.25\n");
   const Motion motion =
-      ReadMotion(in, "motion.csv", {{AngleConvention::kIsb, AngleUnit::kRadians}, 10});
+      ReadMotion(in, "motion.csv", {{AngleConvention::kIsb, AngleUnit::kRadian}, 10});
   EXPECT_NEAR(motion.command(0).elevation_rad, 0.5, 1e-15);
   EXPECT_NEAR(motion.command(1).elevation_rad, 1.5, 1e-15);
   EXPECT_NEAR(motion.command(1).plane_rad, 0.25, 1e-15);
