@@ -134,12 +134,8 @@ void ExpectControls(const ShoulderSimulation& simulation) {
 }
 
 void AddTo(SimulationSummary& summary, const ShoulderState& state, const ShoulderRhythm& rhythm) {
-  const ShoulderSolution solution = rhythm.Solve(state.command);
-  ArmCommand used = state.used;
-  // The plugin's sensor does not say how much of an offset was left.
-  used.shrug_rad = solution.used.shrug_rad;
-  used.protraction_rad = solution.used.protraction_rad;
-  summary.tally.Add(rhythm, state.command, used, solution.origin, state.distance_rad);
+  summary.tally.Add(rhythm, state.command, state.used, rhythm.Solve(state.command).origin,
+                    state.distance_rad);
   summary.duration_s = state.time_s;
   summary.last_error_deg = LargestError_deg(state);
   summary.worst_error_deg = WorseOf(summary.worst_error_deg, summary.last_error_deg);

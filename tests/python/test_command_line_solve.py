@@ -30,7 +30,7 @@ SEED = 20090815
 SOLVED_COLUMNS = [
     *(f"{coordinate}_deg" for coordinate in COORDINATES),
     *("clamped", "used_elevation_deg", "used_plane_deg", "distance_deg", "origin"),
-    *("used_axial_deg", "used_axial_isb_deg"),
+    *("used_axial_deg", "used_axial_isb_deg", "used_shrug_deg", "used_protraction_deg"),
 ]
 PUBLISHED = ("--interpolation", "squad", "--closure", "table")
 
@@ -190,7 +190,7 @@ def test_the_angles_stand_after_the_input_in_a_fixed_order(solved: bytes) -> Non
         "ac_internal_rotation_deg,ac_upward_rotation_deg,ac_tilt_deg,"
         "gh_elevation_deg,gh_flexion_deg,gh_axial_deg,"
         "clamped,used_elevation_deg,used_plane_deg,distance_deg,origin,"
-        "used_axial_deg,used_axial_isb_deg"
+        "used_axial_deg,used_axial_isb_deg,used_shrug_deg,used_protraction_deg"
     )
 
 
