@@ -100,7 +100,9 @@ MotionRequest Requested(const SimulateArguments& arguments) {
       throw InputError(
           "--plane and --seconds belong to --raise; a --motion says both. Leave them away");
     }
-    request.motion = MotionFile{*arguments.motion, {ReadingFrom(arguments.angles), longest_s}};
+    AngleReading reading = ReadingFrom(arguments.angles);
+    reading.must_have_axial = !arguments.axial_from.empty();
+    request.motion = MotionFile{*arguments.motion, {reading, longest_s}};
     return request;
   }
   ExpectNoUnit(arguments.angles);

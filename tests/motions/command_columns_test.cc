@@ -104,6 +104,17 @@ TEST(CommandColumns, AreRefusedWithPlaceValueAndFix) {
             "t.csv:3: elevation_deg is -15: elevation counts from 0, hanging, up to 180. ISB's "
             "Y-X'-Y'' writes that of a raised arm negative: if this one is so, give --convention "
             "isb");
+  // An axial turn is ISB's, too, and stays so where only the elevation is turned by hand.
+  EXPECT_EQ(RefusalOf("elevation_deg,plane_deg,axial_deg\n-15,40,-60\n"),
+            "t.csv:2: elevation_deg is -15: elevation counts from 0, hanging, up to 180. ISB's "
+            "Y-X'-Y'' writes that of a raised arm negative: if this one is so, give --convention "
+            "isb, which reads axial as ISB's third angle, too. If you turn the sign of the "
+            "elevation yourself instead, leave axial as it is and give --axial-from isb");
+  EXPECT_EQ(RefusalOf("elevation_deg,plane_deg,axial_deg\n15,40,-60\n", kIsb),
+            "t.csv:2: elevation_deg is 15: ISB's Y-X'-Y'' writes the elevation of a raised arm "
+            "negative, 0 to -180. If here it is positive, give --convention girdle, and "
+            "--axial-from isb if axial is ISB's third angle; if the arm points to the other side, "
+            "write (plane + 180, -elevation, axial + 180), the same rotation");
   EXPECT_TRUE(RefusalOf("elevation_deg,plane_deg\n-15,40\n15,40\n", kIsb)
                   .starts_with("t.csv:3: elevation_deg is 15: ISB's Y-X'-Y'' writes"));
   EXPECT_EQ(RefusalOf("elevation_deg,plane_deg\n181,40\n"),
@@ -125,6 +136,38 @@ TEST(CommandColumns, AreRefusedWhereOneIsNearlyKnown) {
               std::string::npos);
   EXPECT_EQ(RefusalOf("elevation_deg,psi\n15,40\n"),
             "t.csv:1: column 'plane_deg' is missing. The header has: elevation_deg, psi");
+}
+
+TEST(CommandColumns, AreRefusedWhereAnotherOnePlainlyIsTheAxialTurn) {
+  EXPECT_EQ(RefusalOf("elevation_deg,plane_deg,internal_rotation_deg\n15,40,1\n"),
+            "t.csv:1: column 'internal_rotation_deg' is not known. Did you mean 'axial_deg', in "
+            "which internal rotation is positive? Correct its name, and give --axial-from isb if "
+            "it is ISB's third angle; or give it a name that is less alike");
+  // Beside the one that is read it is the owner's business.
+  EXPECT_EQ(RefusalOf("elevation_deg,plane_deg,axial_deg,axial_isb_deg\n15,40,1,-40\n"),
+            "accepted");
+}
+
+TEST(CommandColumns, AreRefusedWithoutAnAxialTurnWhereItsZeroIsSaid) {
+  AngleReading said;
+  said.axial_from = AxialFrom::kIsb;
+  said.must_have_axial = true;
+  EXPECT_EQ(RefusalOf("elevation_deg,plane_deg\n15,40\n", said),
+            "t.csv:1: --axial-from isb: no axial turn is given. Add the column axial_deg, or leave "
+            "--axial-from away");
+  EXPECT_EQ(RefusalOf("elevation_deg,plane_deg,axial_deg\n15,40,1\n", said), "accepted");
+}
+
+TEST(CommandColumns, SayWhatAxialTurnsCountFrom) {
+  AngleReading from_isb;
+  from_isb.axial_from = AxialFrom::kIsb;
+  const auto axial_from = [&from_isb](const std::string& header) {
+    std::istringstream in(header);
+    const CsvReader csv(in, "t.csv");
+    return CommandColumns(csv, from_isb).axial_from();
+  };
+  EXPECT_EQ(axial_from("elevation_deg,plane_deg,axial_deg\n"), AxialFrom::kIsb);
+  EXPECT_EQ(axial_from("elevation_deg,plane_deg\n"), std::nullopt);
 }
 
 // Rows of an arm that is raised from 0.1 to `last` in steps of a tenth.

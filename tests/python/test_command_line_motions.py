@@ -244,7 +244,32 @@ def test_isbs_elevations_of_options_are_read_where_that_is_said(
     same(("solve", "--plane=40", "--json"), "--elevation=90", "--elevation=-90")
     same(("simulate", scene, "--seconds=0.05", "--trace=-"), "--raise=20:60", "--raise=-20:-60")
     swept = read_rows(girdle_fine("solve", "--elevation=-90:-30:30", "--plane=40", *isb).text)
-    assert [float(row["elevation_deg"]) for row in swept] == [90, 60, 30]
+    assert [float(row["elevation_deg"]) for row in swept] == [-90, -60, -30]
+    assert [float(row["used_elevation_deg"]) for row in swept] == pytest.approx([90, 60, 30])
+
+
+def test_an_axial_turn_beside_another_sign_is_spoken_of(refuses: Refuses, tmp_path: Path) -> None:
+    by_hand = ("--convention isb, which reads axial as ISB's third angle", "give --axial-from isb$")
+    (tmp_path / "poses.csv").write_text("elevation_deg,plane_deg,axial_deg\n-15,40,-60\n")
+    refuses("solve", "--in", "poses.csv", because=("poses.csv:2: elevation_deg is -15", *by_hand))
+    pose = ("--plane=40", "--axial=-60")
+    refuses("solve", "--elevation=-15", *pose, because=("--elevation -15: ", *by_hand))
+    refuses("solve", "--elevation=-15:0:5", *pose, because=("--elevation -15: ", *by_hand))
+
+
+def test_a_sweep_stands_as_it_was_typed(girdle_fine: Girdle) -> None:
+    isb = ("--convention", "isb")
+    given = ("--axial=-40", "--shrug=2.5", "--protraction=-3")
+    swept = read_rows(girdle_fine("solve", "--elevation=-90:-30:30", "--plane=400", *isb, *given).text)
+    typed = list(swept[0])[:5]
+    assert typed == ["elevation_deg", "plane_deg", "axial_deg", "shrug_deg", "protraction_deg"]
+    rows = [",".join(row[name] for name in typed) for row in swept]
+    assert rows == [f"{elevation},400,-40,2.5,-3" for elevation in (-90, -60, -30)]
+    # So it can be read again, in the same way.
+    again = "\n".join([",".join(typed), *rows, ""]).encode()
+    assert read_rows(girdle_fine("solve", "--in", "-", *isb, stdin=again).text) == swept
+    plain = girdle_fine("solve", "--elevation=30:90:30", "--plane=40").text
+    assert plain.startswith("elevation_deg,plane_deg,sc_protraction_deg,")
 
 
 def test_a_convention_that_contradicts_the_file_is_refused(
