@@ -195,14 +195,13 @@ std::string SummaryAsText(const SimulateArguments& arguments, const SimulationSu
   constexpr int kDecimals = 3;
   const CommandTally& tally = summary.tally;
   return "simulated " + RoundedText(summary.duration_s, kDecimals) + " s in " +
-         std::to_string(tally.rows) + " states; joints at most " +
+         CountText(tally.rows, "state") + "; joints at most " +
          RoundedText(summary.worst_error_deg, kDecimals) + " deg off their targets, " +
          RoundedText(summary.last_error_deg, kDecimals) + " at the end\n" +
-         (tally.clamped > 0
-              ? std::to_string(tally.clamped) +
-                    " commands lay outside the rhythm's or the controls' ranges; another pose "
-                    "was used\n"
-              : "") +
+         (tally.clamped > 0 ? CountText(tally.clamped, "command") +
+                                  " lay outside the rhythm's or the controls' ranges; another pose "
+                                  "was used\n"
+                            : "") +
          (tally.farthest_rad > 0
               ? "up to " + RoundedText(DegreesFromRadians(tally.farthest_rad), kDecimals) +
                     " deg from measured positions: modelled, not measured\n"
@@ -212,7 +211,8 @@ std::string SummaryAsText(const SimulateArguments& arguments, const SimulationSu
          (!arguments.controls.empty() ? "controls  " + arguments.controls + "\n" : "") +
          (!arguments.picture.empty() ? "picture  " + arguments.picture + "\n" : "") +
          (!arguments.video.empty()
-              ? "video  " + arguments.video + ", " + std::to_string(summary.frames) + " frames\n"
+              ? "video  " + arguments.video + ", " +
+                    CountText(static_cast<std::uintmax_t>(summary.frames), "frame") + "\n"
               : "");
 }
 
@@ -271,8 +271,8 @@ void Simulate(const SimulateArguments& arguments) {
   TerminalProgress progress("simulating", !prints_table);
   const SimulationSummary summary = simulation.simulate(
       arguments.model, ChosenPlugin(arguments.plugin), request, ChoiceFrom(arguments.rhythm),
-      {expect_room, into(trace), controls ? TextSink(into(controls)) : nullptr}, pictures,
-      std::ref(progress));
+      {expect_room, into(trace), controls ? TextSink(into(controls)) : nullptr, PrintNote},
+      pictures, std::ref(progress));
   progress.Clear();
   for (std::optional<OutputFile>* const file : {&trace, &controls, &picture, &video}) {
     if (*file) {
@@ -280,7 +280,9 @@ void Simulate(const SimulateArguments& arguments) {
     }
   }
   if (arguments.motion) {
-    PrintNote(*arguments.motion + ": " + TallyText(summary.tally, summary.range));
+    PrintNote(*arguments.motion + ": " +
+              TallyText(summary.tally, {summary.range, "simulated state", !arguments.trace.empty(),
+                                        summary.axial_from}));
   }
   if (prints_table) {
     return;  // the table is the output

@@ -451,7 +451,8 @@ void SolveInput(Input& input, const RowAnswers& answers, const std::string& out,
   const CommandTally tally = RowWorkers(input, answers, file, progress).Run(threads);
   file.Commit();
   progress.Clear();
-  PrintNote(input.name() + ": " + TallyText(tally, answers.range()));
+  PrintNote(input.name() + ": " +
+            TallyText(tally, {.range = answers.range(), .axial_from = input.axial_from()}));
 }
 
 }  // namespace

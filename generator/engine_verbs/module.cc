@@ -34,6 +34,7 @@
 #include "simulation/shoulder_simulation.h"
 #include "simulation/trace.h"
 #include "text/input_error.h"
+#include "text/number_text.h"
 #include "text/text_file.h"
 
 namespace girdle {
@@ -44,9 +45,10 @@ std::string CheckModel(const ModelFiles& files, const std::string& plugin) {
   LoadPlugin(plugin);
   const LoadedShoulders shoulders(LoadModel(files), files.front().first);
   const mjModel& model = shoulders.model();
-  return "MuJoCo " + std::string(mj_versionString()) + " loads it: " + std::to_string(model.njnt) +
-         " joints, " + std::to_string(model.nactuator) + " actuators, " +
-         std::to_string(model.nkey) + " keyframes";
+  return "MuJoCo " + std::string(mj_versionString()) +
+         " loads it: " + CountText(static_cast<std::uintmax_t>(model.njnt), "joint") + ", " +
+         CountText(static_cast<std::uintmax_t>(model.nactuator), "actuator") + ", " +
+         CountText(static_cast<std::uintmax_t>(model.nkey), "keyframe");
 }
 
 Motion RequestedMotion(const MotionRequest& request, AxialFrom axial_from) {
@@ -186,6 +188,10 @@ SimulationSummary Simulate(const std::string& model_path, const std::string& plu
     summary.loop_gaps.push_back({name});
   }
   summary.range = *simulation.rhythm().rhythm().options().range;
+  summary.axial_from = asked.axial_from;
+  if (!asked.hint.empty()) {
+    sinks.hint(asked.hint);
+  }
   std::string row;
   for (long step = 0; step <= steps; ++step) {
     // The last state has no step after it.

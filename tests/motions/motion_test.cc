@@ -85,6 +85,31 @@ TEST(ReadMotion, ReadsTheConventionAndTheUnitThatAreSaid) {
   EXPECT_NEAR(motion.command(1).plane_rad, 0.25, 1e-15);
 }
 
+// The hint about so many rows that are so far apart, but for the first, which is much longer.
+std::string HintOf(int rows, double step_s) {
+  std::ostringstream text;
+  text << "time_s,elevation_deg,plane_deg\n-500,20,40\n";
+  for (int i = 1; i < rows; ++i) {
+    text << i * step_s << ",30,40\n";
+  }
+  return FromText(text.str()).hint;
+}
+
+TEST(ReadMotion, HintsAtStampsInMilliseconds) {
+  EXPECT_EQ(HintOf(101, 10),
+            "motion.csv: its 101 rows are 10 s apart (median), 1500 s in all. If time_s is in "
+            "milliseconds, divide it by 1000");
+  EXPECT_NE(HintOf(11, 1), "");
+  EXPECT_EQ(HintOf(10, 1), "");
+  EXPECT_EQ(HintOf(101, 0.99), "");
+}
+
+TEST(ReadMotion, SaysWhatAxialTurnsCountFrom) {
+  EXPECT_EQ(FromText("time_s,elevation_deg,plane_deg,axial_deg\n0,20,40,1\n").axial_from,
+            AxialFrom::kRhythm);
+  EXPECT_EQ(FromText(kValid).axial_from, std::nullopt);
+}
+
 TEST(ReadMotion, RefusesWhatLooksLikeRadians) {
   std::string text = "time_s,elevation_deg,plane_deg\n";
   for (int i = 0; i < 10; ++i) {

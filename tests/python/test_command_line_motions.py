@@ -131,7 +131,7 @@ def test_a_walking_arm_is_followed_in_every_row(
     assert min(planes_deg) < -75
     simulated = girdle("simulate", scene, "--motion", "walk.csv", "--trace", "trace.csv")
     assert simulated.code == 0
-    assert "walk.csv: 5001 rows, 0 clamped, " in simulated.message
+    assert "walk.csv: 5001 simulated states, 0 clamped, " in simulated.message
     for row in read_rows((tmp_path / "trace.csv").read_text()):
         assert angle_deg(used(row), humerus(row)) < 3, row["time_s"]
 
@@ -431,14 +431,42 @@ def test_a_file_ends_with_a_line_that_counts(
     assert finished.message == (
         "girdle: standard input: 4 rows, 2 clamped (1 beyond what an arm reaches, 1 beyond the "
         "range of a joint or control; see the columns used_*), 2 modelled (up to "
-        f"{round(farthest_deg, 1):g} deg from measured directions)\n"
+        f"{round(farthest_deg, 1):g} deg from measured directions), axial from rhythm\n"
     )
+    one = girdle("solve", "--in", "-", stdin=b"elevation_deg,plane_deg\n60,40\n")
+    assert one.message == "girdle: standard input: 1 row, 0 clamped, 0 modelled\n"
     (tmp_path / "motion.csv").write_text(motion_text(((0, 60, 40), (0.01, 60, 40))))
     words = ("simulate", scene, "--motion", "motion.csv", "--json")
     finished = girdle(*words)
-    assert finished.message == "girdle: motion.csv: 6 rows, 0 clamped, 0 modelled\n"
+    assert finished.message == "girdle: motion.csv: 6 simulated states, 0 clamped, 0 modelled\n"
     summary = json.loads(finished.text)
     assert (summary["rows"], summary["clamped_rows"], summary["modelled_rows"]) == (6, 0, 0)
+
+
+def test_columns_are_pointed_to_where_they_are_written(
+    girdle: Girdle, scene: Path, tmp_path: Path
+) -> None:
+    (tmp_path / "motion.csv").write_text(motion_text(((0, 60, 200), (0.01, 60, 200))))
+    words = ("simulate", scene, "--motion", "motion.csv")
+    said = "girdle: motion.csv: 6 simulated states, 6 clamped (6 beyond what an arm reaches"
+    assert girdle(*words).message.startswith(f"{said}), ")
+    traced = girdle(*words, "--trace", "trace.csv").message
+    assert traced.startswith(f"{said}; see the columns used_*), ")
+
+
+def test_stamps_that_may_be_milliseconds_are_pointed_out(
+    girdle: Girdle, girdle_fine: Girdle, scene: Path, tmp_path: Path
+) -> None:
+    stamps = [10.0 * i for i in range(12)]
+    (tmp_path / "motion.csv").write_text(motion_text(tuple((s, 60, 40) for s in stamps)))
+    simulated = girdle("simulate", scene, "--motion", "motion.csv")
+    assert simulated.code == 0
+    assert simulated.message.startswith(
+        "girdle: motion.csv: its 12 rows are 10 s apart (median), 110 s in all. If time_s is in "
+        "milliseconds, divide it by 1000\ngirdle: motion.csv: "
+    )
+    (tmp_path / "motion.csv").write_text(motion_text(tuple((s / 1000, 60, 40) for s in stamps)))
+    girdle_fine("simulate", scene, "--motion", "motion.csv")
 
 
 def test_a_picture_says_which_direction_it_shows(girdle_fine: Girdle, scene: Path) -> None:
