@@ -63,9 +63,9 @@ void ExpectNoUnit(const AngleArguments& arguments) {
 }
 
 double ElevationArgument_deg(const std::string& option, const std::string& text,
-                             AngleConvention convention) {
-  return AngleOf(option, text, [convention](double elevation_deg) {
-    return ElevationRead_deg(elevation_deg, convention);
+                             AngleConvention convention, bool has_axial) {
+  return AngleOf(option, text, [convention, has_axial](double elevation_deg) {
+    return ElevationRead_deg(elevation_deg, convention, has_axial);
   });
 }
 

@@ -36,7 +36,7 @@ void ExpectNoUnit(const AngleArguments& arguments);
 /// Return an angle of an option as ElevationRead_deg, PlaneRead_deg and AxialRead_deg do; `text` is
 /// what was typed. Throw InputError that names option and text.
 [[nodiscard]] double ElevationArgument_deg(const std::string& option, const std::string& text,
-                                           AngleConvention convention);
+                                           AngleConvention convention, bool has_axial = false);
 [[nodiscard]] double PlaneArgument_deg(const std::string& option, const std::string& text);
 [[nodiscard]] double AxialArgument_deg(const std::string& option, const std::string& text);
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "commands/angle_sweep.h"
+#include "commands/named_files.h"
 #include "commands/output_file.h"
 #include "commands/rhythm_arguments.h"
 #include "rhythms/comparison.h"
@@ -72,6 +73,7 @@ Format FormatOf(const std::string& path) {
 void CompareRhythms(const CompareArguments& arguments) {
   const ComparisonMap map = ChosenMap(arguments);
   const Format format = FormatOf(arguments.out);
+  ExpectFilesApart({{"--out", arguments.out}}, {{"--table", TableFile(arguments.rhythm.table)}});
   const ShoulderRhythm measured = ChosenRhythm(arguments.rhythm);
   const std::vector<PublishedRhythm> published = PublishedRhythms(BuiltInRhythmCoefficients());
   std::optional<OutputFile> out;

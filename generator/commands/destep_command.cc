@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "commands/named_files.h"
 #include "commands/output_file.h"
 #include "commands/rhythm_arguments.h"
 #include "fits/table_smoothing.h"
@@ -171,6 +172,7 @@ void Destep(const DestepArguments& arguments) {
   if (arguments.json && arguments.out == "-") {
     throw InputError("--json and --out - both want standard output. Write the table to a file");
   }
+  ExpectFilesApart({{"--out", arguments.out}}, {{"--in", arguments.in}});
   const SmoothingOptions options = ChosenSmoothing(arguments);
   const auto [table, comments] = ReadCommentedTable(arguments.in);
   const RhythmTable smoothed = SmoothedFrom(arguments.in, table, options);

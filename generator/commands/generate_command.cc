@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "commands/anatomy_arguments.h"
+#include "commands/named_files.h"
 #include "commands/output_file.h"
 #include "commands/rhythm_arguments.h"
 #include "commands/simulation_module.h"
@@ -140,12 +141,35 @@ std::string LandmarkFile(const Anatomy& anatomy) {
   return LandmarksToCsv(anatomy, comments);
 }
 
+// Refuses to write over what is read.
+void ExpectOutputApart(const GenerateArguments& arguments, const FileNames& names, bool has_skin,
+                       bool has_own_bones) {
+  std::vector<std::string> written = {names.scene, names.model};
+  if (has_skin) {
+    written.push_back(names.skin);
+  }
+  if (has_own_bones) {
+    written.push_back(names.landmarks);
+  }
+  for (const std::string& name : written) {
+    ExpectFilesApart({{"--out", (std::filesystem::path(arguments.out) / name).string()}},
+                     {{"--table", TableFile(arguments.rhythm.table)},
+                      {"--anatomy", arguments.anatomy.file},
+                      {"--thorax", arguments.anatomy.thorax},
+                      {"--skin", arguments.skin.skin},
+                      {"--skin-landmarks", arguments.skin.landmarks},
+                      {"--plugin", arguments.plugin}});
+  }
+}
+
 void Generate(const GenerateArguments& arguments) {
   const ResolvedRhythm rhythm = Resolve(ChoiceFrom(arguments.rhythm));
   ShoulderModelOptions options = ModelOptions(arguments, rhythm);
   const FileNames names = NamesFor(options);
   const std::vector<Side> sides = SidesOf(options.sides);
   const std::optional<ChosenBody> body = BodyFor(arguments.skin, arguments.anatomy, sides);
+  const bool has_own_bones = body && body->has_own_bones;
+  ExpectOutputApart(arguments, names, body.has_value(), has_own_bones);
   const Anatomy anatomy = body ? body->body.anatomy : ChosenAnatomy(arguments.anatomy);
   std::optional<MadeSkin> skin;
   if (body) {
@@ -158,7 +182,6 @@ void Generate(const GenerateArguments& arguments) {
   if (skin) {
     files.emplace_back(names.skin, skin->bytes);
   }
-  const bool has_own_bones = body && body->has_own_bones;
   if (has_own_bones) {
     files.emplace_back(names.landmarks, LandmarkFile(anatomy));
   }

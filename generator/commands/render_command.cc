@@ -8,6 +8,7 @@
 #include <string>
 
 #include "commands/angle_arguments.h"
+#include "commands/named_files.h"
 #include "commands/output_file.h"
 #include "commands/picture_arguments.h"
 #include "commands/rhythm_arguments.h"
@@ -82,6 +83,9 @@ std::string UsedText(const RenderResult& result) {
 void Render(const RenderArguments& arguments) {
   const RenderRequest request = Requested(arguments);
   ExpectSuffix("--out", arguments.out, ".png");
+  ExpectFilesApart({{"--out", arguments.out}}, {{"the model", arguments.model},
+                                                {"--table", TableFile(arguments.rhythm.table)},
+                                                {"--plugin", arguments.plugin}});
   const SimulationModule& simulation = LoadSimulation();
   OutputFile out(arguments.out);
   const RenderResult result = simulation.render(arguments.model, ChosenPlugin(arguments.plugin),

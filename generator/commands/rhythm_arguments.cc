@@ -29,6 +29,10 @@ void AddTableArgument(CLI::App& verb, std::string& table) {
       ->type_name("WORD|FILE");
 }
 
+std::string TableFile(const std::string& table) {
+  return FromName<BuiltInTable>(table) ? std::string() : table;
+}
+
 void AddAxialFromArgument(CLI::App& verb, std::string& axial_from, const std::string& what) {
   verb.add_option("--axial-from", axial_from,
                   what +

@@ -28,6 +28,9 @@ void AddAxialFromArgument(CLI::App& verb, std::string& axial_from, const std::st
 /// `--table` alone, for verbs that need no rhythm.
 void AddTableArgument(CLI::App& verb, std::string& table);
 
+/// Returns the file that a `--table` names; empty for a word, and where it is not given.
+[[nodiscard]] std::string TableFile(const std::string& table);
+
 /// Returns what the user said of the rhythm, and only that. Throws InputError for an unknown word,
 /// naming the known ones, and for a table that is neither a word nor a file with a table.
 [[nodiscard]] RhythmChoice ChoiceFrom(const RhythmArguments& arguments);

@@ -6,18 +6,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
 #include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <system_error>
-#include <utility>
-#include <vector>
 
 #include "commands/angle_arguments.h"
+#include "commands/named_files.h"
 #include "commands/output_file.h"
 #include "commands/picture_arguments.h"
 #include "commands/progress.h"
@@ -103,7 +100,9 @@ MotionRequest Requested(const SimulateArguments& arguments) {
       throw InputError(
           "--plane and --seconds belong to --raise; a --motion says both. Leave them away");
     }
-    request.motion = MotionFile{*arguments.motion, {ReadingFrom(arguments.angles), longest_s}};
+    AngleReading reading = ReadingFrom(arguments.angles);
+    reading.must_have_axial = !arguments.axial_from.empty();
+    request.motion = MotionFile{*arguments.motion, {reading, longest_s}};
     return request;
   }
   ExpectNoUnit(arguments.angles);
@@ -123,30 +122,6 @@ MotionRequest Requested(const SimulateArguments& arguments) {
   }
   request.motion = reaching;
   return request;
-}
-
-// Whether two paths, of which neither has to be there, are one place.
-bool SameFile(const std::string& a, const std::string& b) {
-  std::error_code unclear;
-  const std::filesystem::path place_a =
-      std::filesystem::weakly_canonical(std::filesystem::absolute(a, unclear), unclear);
-  const std::filesystem::path place_b =
-      std::filesystem::weakly_canonical(std::filesystem::absolute(b, unclear), unclear);
-  return !unclear && place_a == place_b;
-}
-
-// Of options and the files that they name; empty for none.
-void ExpectDifferentFiles(const std::vector<std::pair<std::string, std::string>>& outputs) {
-  for (std::size_t i = 0; i < outputs.size(); ++i) {
-    for (std::size_t j = i + 1; j < outputs.size(); ++j) {
-      const auto& [first, first_file] = outputs[i];
-      const auto& [second, second_file] = outputs[j];
-      if (!first_file.empty() && !second_file.empty() && SameFile(first_file, second_file)) {
-        throw InputError(first + " and " + second + " both want " + second_file +
-                         ". Give each a file of its own");
-      }
-    }
-  }
 }
 
 // All but where the pictures go.
@@ -220,14 +195,13 @@ std::string SummaryAsText(const SimulateArguments& arguments, const SimulationSu
   constexpr int kDecimals = 3;
   const CommandTally& tally = summary.tally;
   return "simulated " + RoundedText(summary.duration_s, kDecimals) + " s in " +
-         std::to_string(tally.rows) + " states; joints at most " +
+         CountText(tally.rows, "state") + "; joints at most " +
          RoundedText(summary.worst_error_deg, kDecimals) + " deg off their targets, " +
          RoundedText(summary.last_error_deg, kDecimals) + " at the end\n" +
-         (tally.clamped > 0
-              ? std::to_string(tally.clamped) +
-                    " commands lay outside the rhythm's or the controls' ranges; another pose "
-                    "was used\n"
-              : "") +
+         (tally.clamped > 0 ? CountText(tally.clamped, "command") +
+                                  " lay outside the rhythm's or the controls' ranges; another pose "
+                                  "was used\n"
+                            : "") +
          (tally.farthest_rad > 0
               ? "up to " + RoundedText(DegreesFromRadians(tally.farthest_rad), kDecimals) +
                     " deg from measured positions: modelled, not measured\n"
@@ -237,7 +211,8 @@ std::string SummaryAsText(const SimulateArguments& arguments, const SimulationSu
          (!arguments.controls.empty() ? "controls  " + arguments.controls + "\n" : "") +
          (!arguments.picture.empty() ? "picture  " + arguments.picture + "\n" : "") +
          (!arguments.video.empty()
-              ? "video  " + arguments.video + ", " + std::to_string(summary.frames) + " frames\n"
+              ? "video  " + arguments.video + ", " +
+                    CountText(static_cast<std::uintmax_t>(summary.frames), "frame") + "\n"
               : "");
 }
 
@@ -249,10 +224,14 @@ void Simulate(const SimulateArguments& arguments) {
   if (arguments.controls == "-" && (arguments.json || arguments.trace == "-")) {
     throw InputError("--controls - wants standard output alone. Write one of them to a file");
   }
-  ExpectDifferentFiles({{"--trace", arguments.trace},
-                        {"--controls", arguments.controls},
-                        {"--picture", arguments.picture},
-                        {"--video", arguments.video}});
+  ExpectFilesApart({{"--trace", arguments.trace},
+                    {"--controls", arguments.controls},
+                    {"--picture", arguments.picture},
+                    {"--video", arguments.video}},
+                   {{"the model", arguments.model},
+                    {"--motion", arguments.motion.value_or("")},
+                    {"--table", TableFile(arguments.rhythm.table)},
+                    {"--plugin", arguments.plugin}});
   PictureRequest pictures = RequestedPictures(arguments);
   const SimulationModule& simulation = LoadSimulation();
   std::optional<OutputFile> trace;
@@ -292,8 +271,8 @@ void Simulate(const SimulateArguments& arguments) {
   TerminalProgress progress("simulating", !prints_table);
   const SimulationSummary summary = simulation.simulate(
       arguments.model, ChosenPlugin(arguments.plugin), request, ChoiceFrom(arguments.rhythm),
-      {expect_room, into(trace), controls ? TextSink(into(controls)) : nullptr}, pictures,
-      std::ref(progress));
+      {expect_room, into(trace), controls ? TextSink(into(controls)) : nullptr, PrintNote},
+      pictures, std::ref(progress));
   progress.Clear();
   for (std::optional<OutputFile>* const file : {&trace, &controls, &picture, &video}) {
     if (*file) {
@@ -301,7 +280,9 @@ void Simulate(const SimulateArguments& arguments) {
     }
   }
   if (arguments.motion) {
-    PrintNote(*arguments.motion + ": " + TallyText(summary.tally, summary.range));
+    PrintNote(*arguments.motion + ": " +
+              TallyText(summary.tally, {summary.range, "simulated state", !arguments.trace.empty(),
+                                        summary.axial_from}));
   }
   if (prints_table) {
     return;  // the table is the output

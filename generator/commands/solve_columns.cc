@@ -56,7 +56,7 @@ Cell Rate(const SolvedRow& row, std::size_t k) {
 }
 
 // In the order of the output. Further columns are a line here.
-constexpr std::array<OutputColumns<SolvedRow, SolveAdditions>, 8> kSolveColumns = {{
+constexpr std::array<OutputColumns<SolvedRow, SolveAdditions>, 9> kSolveColumns = {{
     {AngleStems, kDegrees,
      [](const SolvedRow& row, std::size_t k) -> Cell {
        return DegreesFromRadians(row.angles_rad[k]);
@@ -82,6 +82,13 @@ constexpr std::array<OutputColumns<SolvedRow, SolveAdditions>, 8> kSolveColumns 
      kDegrees,
      [](const SolvedRow& row, std::size_t k) -> Cell {
        return DegreesFromRadians(k == 0 ? row.used.axial_rad : row.used_axial_isb_rad);
+     }},
+    {[](const SolveAdditions&) {
+       return Stems{kUsedOffsetNames.begin(), kUsedOffsetNames.end()};
+     },
+     kDegrees,
+     [](const SolvedRow& row, std::size_t k) -> Cell {
+       return DegreesFromRadians(k == 0 ? row.used.shrug_rad : row.used.protraction_rad);
      }},
     {RateStems, kNoUnit, Rate},
     {PointStems, kMillimeters,

@@ -48,7 +48,8 @@ struct SolvedRow {
 ///
 /// Nine angles, `sc_protraction_deg` and so on; `clamped`, the direction that is answered,
 /// `used_elevation_deg` and `used_plane_deg`; `distance_deg`, `origin`; `used_axial_deg`, the
-/// humerus's turn on top of the rhythm's own, and `used_axial_isb_deg`, ISB's third angle.
+/// humerus's turn on top of the rhythm's own, and `used_axial_isb_deg`, ISB's third angle; the
+/// offsets of the clavicle that were left, `used_shrug_deg` and `used_protraction_deg`.
 ///
 /// With rates three columns a joint for each of elevation and plane, `sc_w_elevation_x` and so on:
 /// the angular velocity of the child in the parent, in the parent's axes [deg per deg].

@@ -23,6 +23,7 @@
 #include "commands/anatomy_arguments.h"
 #include "commands/angle_arguments.h"
 #include "commands/angle_sweep.h"
+#include "commands/named_files.h"
 #include "commands/output_file.h"
 #include "commands/rhythm_arguments.h"
 #include "commands/shoulder_points.h"
@@ -132,13 +133,10 @@ const std::string& Required(const std::string& option, const std::optional<std::
   return *text;
 }
 
-AngleConvention ConventionOf(const SolveArguments& arguments) {
-  return ReadingFrom(arguments.angles).convention;
-}
-
-double TypedElevation_deg(const SolveArguments& arguments) {
-  return ElevationArgument_deg("--elevation", Required("--elevation", arguments.elevation_deg),
-                               ConventionOf(arguments));
+// An elevation that was typed, as Girdle counts it.
+double ReadElevation_deg(const SolveArguments& arguments, const std::string& text) {
+  return ElevationArgument_deg("--elevation", text, ReadingFrom(arguments.angles).convention,
+                               arguments.axial_deg.has_value());
 }
 
 // As it was typed, whole turns too.
@@ -360,7 +358,8 @@ std::string PoseAsText(const ShoulderRhythm& rhythm, const TypedPose& typed,
 
 void SolveOne(const SolveArguments& arguments) {
   ExpectNoUnit(arguments.angles);
-  const TypedPose typed = {TypedElevation_deg(arguments),
+  const std::string& elevation = Required("--elevation", arguments.elevation_deg);
+  const TypedPose typed = {ReadElevation_deg(arguments, elevation),
                            TypedPlane_deg(arguments),
                            AxialArgument_deg("--axial", arguments.axial_deg.value_or("0")),
                            ShrugArgument(arguments).value_or(0),
@@ -424,7 +423,6 @@ std::size_t ChosenThreads(const std::optional<std::string>& text) {
 RowOptions ChosenRowOptions(const SolveArguments& arguments) {
   RowOptions options;
   options.threads = ChosenThreads(arguments.threads);
-  options.must_have_axial = !arguments.axial_from.empty();
   options.shrug_deg = ShrugArgument(arguments);
   options.protraction_deg = ProtractionArgument(arguments);
   options.additions = ChosenAdditions(arguments);
@@ -433,6 +431,7 @@ RowOptions ChosenRowOptions(const SolveArguments& arguments) {
   }
   options.reading = ReadingFrom(arguments.angles);
   options.reading.axial_from = ChosenAxialFrom(arguments);
+  options.reading.must_have_axial = !arguments.axial_from.empty() && !arguments.axial_deg;
   return options;
 }
 
@@ -441,15 +440,14 @@ void SolveFile(const RowSource& source, const SolveArguments& arguments) {
   SolveRows(source, arguments.out, ChosenRhythm(arguments.rhythm), options);
 }
 
+// As they were typed.
 std::vector<double> SweptElevations_deg(const SolveArguments& arguments) {
   const std::string& text = Required("--elevation", arguments.elevation_deg);
-  if (!IsSweep(text)) {
-    return {TypedElevation_deg(arguments)};
-  }
-  std::vector<double> elevations_deg = SweepValues_deg(kSweptElevation, text, kMostSwept);
-  for (double& elevation_deg : elevations_deg) {
-    elevation_deg =
-        ElevationArgument_deg("--elevation", NumberText(elevation_deg), ConventionOf(arguments));
+  const std::vector<double> elevations_deg =
+      IsSweep(text) ? SweepValues_deg(kSweptElevation, text, kMostSwept)
+                    : std::vector{NumberArgument("--elevation", text)};
+  for (const double elevation_deg : elevations_deg) {
+    static_cast<void>(ReadElevation_deg(arguments, NumberText(elevation_deg)));
   }
   return elevations_deg;
 }
@@ -475,6 +473,10 @@ void SolveAllPositions(const SolveArguments& arguments) {
 }
 
 void Solve(const SolveArguments& arguments) {
+  ExpectFilesApart({{"--out", arguments.out}}, {{"--in", arguments.in},
+                                                {"--table", TableFile(arguments.rhythm.table)},
+                                                {"--anatomy", arguments.anatomy.file},
+                                                {"--thorax", arguments.anatomy.thorax}});
   if (arguments.posture) {
     SolvePosture(arguments);
     return;

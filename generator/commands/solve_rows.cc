@@ -73,6 +73,11 @@ ArmCommand CommandOf(const RowOptions& options) noexcept {
   return command;
 }
 
+// What the axial turn that an option gives all rows counts from, if one does.
+std::optional<AxialFrom> AxialFromOfAll(const RowOptions& options) noexcept {
+  return options.axial_deg ? std::optional(options.reading.axial_from) : std::nullopt;
+}
+
 // What is written behind rows. Immutable: threads share it.
 class RowAnswers {
  public:
@@ -153,6 +158,7 @@ class CsvInput {
       : csv_(csv),
         bytes_(bytes),
         unless_given_(CommandOf(options)),
+        axial_from_of_all_(AxialFromOfAll(options)),
         columns_(csv, options.reading) {
     for (const ColumnOption& option : kColumnOptions) {
       if (csv.HasColumn(option.column) && options.*option.angle_deg) {
@@ -160,16 +166,15 @@ class CsvInput {
                  " exclude each other. Remove one");
       }
     }
-    if (options.must_have_axial && !csv.HasColumn(kAxialColumn) && !options.axial_deg) {
-      csv.Fail("--axial-from " + std::string(Name(options.reading.axial_from)) +
-               ": no axial turn is given. Add the column " + kAxialColumn +
-               " or --axial, or leave --axial-from away");
-    }
   }
 
   // For messages.
   [[nodiscard]] const std::string& name() const noexcept { return csv_.name(); }
   [[nodiscard]] const std::string& header_line() const noexcept { return csv_.header_line(); }
+  // What axial turns count from; nothing if there are none.
+  [[nodiscard]] std::optional<AxialFrom> axial_from() const noexcept {
+    return axial_from_of_all_ ? axial_from_of_all_ : columns_.axial_from();
+  }
   // All there is of what SizeOf measures; 0 if that is not known.
   [[nodiscard]] std::uintmax_t size() const noexcept { return bytes_; }
   [[nodiscard]] static std::uintmax_t SizeOf(const Block& block) noexcept {
@@ -200,6 +205,7 @@ class CsvInput {
   CsvReader& csv_;
   std::uintmax_t bytes_;
   ArmCommand unless_given_;
+  std::optional<AxialFrom> axial_from_of_all_;
   CommandColumns columns_;
 };
 
@@ -215,12 +221,25 @@ class SweepInput {
 
   // The sweep has to outlive it.
   SweepInput(const SweptPositions& sweep, const RowOptions& options)
-      : sweep_(sweep), unless_given_(CommandOf(options)) {}
+      : sweep_(sweep),
+        unless_given_(CommandOf(options)),
+        axial_from_(AxialFromOfAll(options)),
+        header_line_(std::string(kElevationColumn) + "," + kPlaneColumn) {
+    for (const double elevation_deg : sweep.elevations_deg) {
+      elevations_rad_.push_back(
+          RadiansFromDegrees(ElevationRead_deg(elevation_deg, options.reading.convention)));
+    }
+    for (const ColumnOption& option : kColumnOptions) {
+      if (const std::optional<double>& angle_deg = options.*option.angle_deg) {
+        header_line_ += "," + std::string(option.column);
+        behind_directions_ += "," + NumberText(*angle_deg);
+      }
+    }
+  }
 
   [[nodiscard]] static std::string name() { return "--elevation, --plane"; }
-  [[nodiscard]] static std::string header_line() {
-    return std::string(kElevationColumn) + "," + kPlaneColumn;
-  }
+  [[nodiscard]] const std::string& header_line() const noexcept { return header_line_; }
+  [[nodiscard]] std::optional<AxialFrom> axial_from() const noexcept { return axial_from_; }
   [[nodiscard]] std::uintmax_t size() const noexcept {
     return sweep_.elevations_deg.size() * sweep_.planes_deg.size();
   }
@@ -237,19 +256,19 @@ class SweepInput {
     explicit Reader(const SweepInput& input) : input_(input) {}
 
     void Read(const Block& block, Rows& rows) {
-      const std::vector<double>& elevations_deg = input_.sweep_.elevations_deg;
+      const std::size_t elevations = input_.elevations_rad_.size();
       text_.clear();
       ends_.clear();
       for (std::size_t i = block.first; i < block.first + block.count; ++i) {
-        const double elevation_deg = elevations_deg[i % elevations_deg.size()];
-        const double plane_deg = input_.sweep_.planes_deg[i / elevations_deg.size()];
+        const double plane_deg = input_.sweep_.planes_deg[i / elevations];
         ArmCommand command = input_.unless_given_;
-        command.elevation_rad = RadiansFromDegrees(elevation_deg);
+        command.elevation_rad = input_.elevations_rad_[i % elevations];
         command.plane_rad = RadiansFromDegrees(PlaneRead_deg(plane_deg));
         rows.commands.push_back(command);
-        AppendNumber(text_, elevation_deg);
+        AppendNumber(text_, input_.sweep_.elevations_deg[i % elevations]);
         text_ += ',';
         AppendNumber(text_, plane_deg);
+        text_ += input_.behind_directions_;
         ends_.push_back(text_.size());
       }
       std::size_t start = 0;
@@ -267,7 +286,11 @@ class SweepInput {
 
  private:
   const SweptPositions& sweep_;
+  std::vector<double> elevations_rad_;  // as Girdle counts them
   ArmCommand unless_given_;
+  std::optional<AxialFrom> axial_from_;
+  std::string header_line_;
+  std::string behind_directions_;  // of every row: what options give all of them
   std::size_t taken_ = 0;
 };
 
@@ -428,7 +451,8 @@ void SolveInput(Input& input, const RowAnswers& answers, const std::string& out,
   const CommandTally tally = RowWorkers(input, answers, file, progress).Run(threads);
   file.Commit();
   progress.Clear();
-  PrintNote(input.name() + ": " + TallyText(tally, answers.range()));
+  PrintNote(input.name() + ": " +
+            TallyText(tally, {.range = answers.range(), .axial_from = input.axial_from()}));
 }
 
 }  // namespace

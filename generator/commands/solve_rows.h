@@ -25,7 +25,8 @@ struct RowSource {
 };
 
 /// All combinations of these, in the order of the output: the elevations of the first plane, then
-/// those of the next. Neither is empty. As Girdle counts them; planes may be whole turns on.
+/// those of the next. Neither is empty. As they were typed: elevations have the sign of the
+/// convention of RowOptions and are ones of ElevationRead_deg, planes may be whole turns on.
 struct SweptPositions {
   std::vector<double> elevations_deg;
   std::vector<double> planes_deg;
@@ -36,7 +37,6 @@ struct RowOptions {
   AngleReading reading;
   /// In place of their columns, which must not be there then.
   std::optional<double> axial_deg;
-  bool must_have_axial = false;  ///< for what `reading` counts them from was asked for
   std::optional<double> shrug_deg;
   std::optional<double> protraction_deg;
   SolveAdditions additions;
@@ -59,7 +59,8 @@ void SolveRows(const RowSource& source, const std::string& out, const ShoulderRh
 /// Reads no further than the first row that does not.
 void ExpectKnownUnit(const std::string& path, const AngleReading& reading);
 
-/// Writes what SolveRows would write for a CSV with a row for each position.
+/// Writes what SolveRows would write for a CSV with a row for each position: elevation and plane as
+/// they were typed and, of axial turn and offsets, those that the options give.
 void SolveSweep(const SweptPositions& sweep, const std::string& out, const ShoulderRhythm& rhythm,
                 const RowOptions& options);
 

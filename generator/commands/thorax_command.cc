@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "commands/anatomy_arguments.h"
+#include "commands/named_files.h"
 #include "commands/output_file.h"
 #include "commands/rhythm_arguments.h"
 #include "fits/gliding_fit.h"
@@ -192,6 +193,9 @@ void FitThorax(const ThoraxArguments& arguments, const Anatomy& anatomy) {
     throw InputError(
         "--json and --out - both want standard output. Write the ellipsoids to a file");
   }
+  ExpectFilesApart({{"--out", arguments.out}}, {{"--table", TableFile(arguments.table)},
+                                                {"--anatomy", arguments.anatomy.file},
+                                                {"--thorax", arguments.anatomy.thorax}});
   const ResolvedRhythm chosen = Resolve(ChoiceFrom({.table = arguments.table}));
   const ThoraxReport report = ReportOn(anatomy, chosen.table, chosen.table_name());
   if (!arguments.out.empty()) {

@@ -35,6 +35,7 @@
 #include "simulation/shoulder_simulation.h"
 #include "simulation/trace.h"
 #include "text/input_error.h"
+#include "text/number_text.h"
 #include "text/text_file.h"
 
 namespace girdle {
@@ -45,9 +46,10 @@ std::string CheckModel(const ModelFiles& files, const std::string& plugin) {
   LoadPlugin(plugin);
   const LoadedShoulders shoulders(LoadModel(files), files.front().first);
   const mjModel& model = shoulders.model();
-  return "MuJoCo " + std::string(mj_versionString()) + " loads it: " + std::to_string(model.njnt) +
-         " joints, " + std::to_string(model.nactuator) + " actuators, " +
-         std::to_string(model.nkey) + " keyframes";
+  return "MuJoCo " + std::string(mj_versionString()) +
+         " loads it: " + CountText(static_cast<std::uintmax_t>(model.njnt), "joint") + ", " +
+         CountText(static_cast<std::uintmax_t>(model.nactuator), "actuator") + ", " +
+         CountText(static_cast<std::uintmax_t>(model.nkey), "keyframe");
 }
 
 Motion RequestedMotion(const MotionRequest& request, AxialFrom axial_from) {
@@ -148,12 +150,8 @@ void ExpectControls(const ShoulderSimulation& simulation) {
 }
 
 void AddTo(SimulationSummary& summary, const ShoulderState& state, const ShoulderRhythm& rhythm) {
-  const ShoulderSolution solution = rhythm.Solve(state.command);
-  ArmCommand used = state.used;
-  // The plugin's sensor does not say how much of an offset was left.
-  used.shrug_rad = solution.used.shrug_rad;
-  used.protraction_rad = solution.used.protraction_rad;
-  summary.tally.Add(rhythm, state.command, used, solution.origin, state.distance_rad);
+  summary.tally.Add(rhythm, state.command, state.used, rhythm.Solve(state.command).origin,
+                    state.distance_rad);
   summary.duration_s = state.time_s;
   summary.last_error_deg = LargestError_deg(state);
   summary.worst_error_deg = WorseOf(summary.worst_error_deg, summary.last_error_deg);
@@ -205,6 +203,10 @@ SimulationSummary Simulate(const std::string& model_path, const std::string& plu
     summary.loop_gaps.push_back({name});
   }
   summary.range = *simulation.rhythm().rhythm().options().range;
+  summary.axial_from = asked.axial_from;
+  if (!asked.hint.empty()) {
+    sinks.hint(asked.hint);
+  }
   std::string row;
   for (long step = 0; step <= steps; ++step) {
     // The last state has no step after it.

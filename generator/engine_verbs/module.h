@@ -53,14 +53,16 @@ struct LoopGap {
 };
 
 struct SimulationSummary {
-  /// The rows of the trace. Clamped are those whose command lay outside the rhythm's or the
-  /// controls' ranges.
+  /// The simulated states, which are the rows of the trace. Clamped are those whose command lay
+  /// outside the rhythm's or the controls' ranges.
   CommandTally tally;
   Range range = Range::kWhole;  ///< of the rhythm
-  double duration_s = 0;        ///< simulated
-  double worst_error_deg = 0;   ///< largest difference of a joint from its target
-  double last_error_deg = 0;    ///< the same in the last row
-  long frames = 0;              ///< of the video
+  /// What axial turns of the file of the motion count from; nothing if there are none.
+  std::optional<AxialFrom> axial_from = std::nullopt;
+  double duration_s = 0;       ///< simulated
+  double worst_error_deg = 0;  ///< largest difference of a joint from its target
+  double last_error_deg = 0;   ///< the same in the last row
+  long frames = 0;             ///< of the video
   /// The farthest, of each loop of the model; none of trees.
   std::vector<LoopGap> loop_gaps;
 };
@@ -71,6 +73,7 @@ struct SimulationSinks {
   std::function<void(std::uintmax_t trace, std::uintmax_t controls)> sizes;
   TextSink trace;
   TextSink controls;  ///< null for none
+  TextSink hint;      ///< a line without its end about the motion, before it is simulated
 };
 
 /// A pose that the model has a name for.

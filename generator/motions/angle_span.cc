@@ -13,13 +13,19 @@ namespace {
 
 constexpr std::size_t kFewestRows = 10;
 constexpr double kLeastSpan = 0.5;
-constexpr double kFarthest = 3.2;
+// Somewhat beyond half a turn and a whole one [rad].
+constexpr double kFarthestElevation = 3.2;
+constexpr double kFarthestPlane = 6.4;
 
 }  // namespace
 
 void AngleSpan::Range::Add(const Range& other) noexcept {
   lowest = std::min(lowest, other.lowest);
   highest = std::max(highest, other.highest);
+}
+
+bool AngleSpan::Range::IsWithin(double farthest) const noexcept {
+  return lowest >= -farthest && highest <= farthest;
 }
 
 void AngleSpan::Add(double elevation, double plane) noexcept {
@@ -35,8 +41,7 @@ void AngleSpan::Add(const AngleSpan& other) noexcept {
 }
 
 bool AngleSpan::IsWithinRadians() const noexcept {
-  return std::min(elevation_.lowest, plane_.lowest) >= -kFarthest &&
-         std::max(elevation_.highest, plane_.highest) <= kFarthest;
+  return elevation_.IsWithin(kFarthestElevation) && plane_.IsWithin(kFarthestPlane);
 }
 
 bool AngleSpan::LooksLikeRadians() const noexcept {

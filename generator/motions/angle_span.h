@@ -13,8 +13,9 @@ namespace girdle {
 /// The numbers of a file's elevations and planes, as they stand there.
 ///
 /// Radians look like degrees of an arm that hardly moves. A file looks like radians if it has ten
-/// rows or more, its elevations or its planes span more than 0.5, and none of them ever leaves -3.2
-/// to 3.2, somewhat beyond half a turn.
+/// rows or more, its elevations or its planes span more than 0.5, no elevation leaves -3.2 to 3.2,
+/// and no plane -6.4 to 6.4: an elevation is half a turn at most, while people count planes from 0
+/// to a whole turn, too. Both bounds are somewhat wider.
 class AngleSpan {
  public:
   void Add(double elevation, double plane) noexcept;
@@ -34,6 +35,7 @@ class AngleSpan {
     double highest = -std::numeric_limits<double>::infinity();
 
     void Add(const Range& other) noexcept;
+    [[nodiscard]] bool IsWithin(double farthest) const noexcept;
   };
 
   std::size_t rows_ = 0;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 #include "kinematics/rotation.h"
 
@@ -19,18 +20,31 @@ void ExpectFewTurns(double angle_deg) {
   }
 }
 
+// What a sign that is not the convention's may mean.
+std::string OtherSignText(bool is_isb, bool has_axial) {
+  if (is_isb) {
+    return std::string(
+               "ISB's Y-X'-Y'' writes the elevation of a raised arm negative, 0 to -180. If here "
+               "it is positive, give --convention girdle") +
+           (has_axial ? ", and --axial-from isb if axial is ISB's third angle" : "") +
+           "; if the arm points to the other side, write (plane + 180, -elevation, axial + 180), "
+           "the same rotation";
+  }
+  return std::string(
+             "elevation counts from 0, hanging, up to 180. ISB's Y-X'-Y'' writes that of a raised "
+             "arm negative: if this one is so, give --convention isb") +
+         (has_axial ? ", which reads axial as ISB's third angle, too. If you turn the sign of the "
+                      "elevation yourself instead, leave axial as it is and give --axial-from isb"
+                    : "");
+}
+
 }  // namespace
 
-double ElevationRead_deg(double elevation_deg, AngleConvention convention) {
+double ElevationRead_deg(double elevation_deg, AngleConvention convention, bool has_axial) {
   const bool is_isb = convention == AngleConvention::kIsb;
   const double raised_deg = is_isb ? -elevation_deg : elevation_deg;
   if (raised_deg < -kElevationRounding_deg) {
-    throw std::invalid_argument(
-        is_isb ? "ISB's Y-X'-Y'' writes the elevation of a raised arm negative, 0 to -180. If here "
-                 "it is positive, give --convention girdle; if the arm points to the other side, "
-                 "write (plane + 180, -elevation, axial + 180), the same rotation"
-               : "elevation counts from 0, hanging, up to 180. ISB's Y-X'-Y'' writes that of a "
-                 "raised arm negative: if this one is so, give --convention isb");
+    throw std::invalid_argument(OtherSignText(is_isb, has_axial));
   }
   if (!(raised_deg <= kHalfCircle_deg + kElevationRounding_deg)) {
     throw std::invalid_argument(is_isb ? "expected 0 to -180 degrees"

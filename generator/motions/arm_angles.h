@@ -36,7 +36,7 @@ inline constexpr std::array<std::string_view, 2> kAngleConventionNames = {"girdl
 constexpr const auto& WordsOf(AngleConvention /*which*/) noexcept { return kAngleConventionNames; }
 
 /// The unit of angles in a file, whatever its columns are called.
-enum class AngleUnit { kDegrees, kRadians };
+enum class AngleUnit { kDegree, kRadian };
 inline constexpr std::array<std::string_view, 2> kAngleUnitNames = {"deg", "rad"};
 constexpr const auto& WordsOf(AngleUnit /*which*/) noexcept { return kAngleUnitNames; }
 
@@ -46,6 +46,8 @@ struct AngleReading {
   /// If nothing: degrees, and a file that looks like radians is refused (AngleSpan).
   std::optional<AngleUnit> unit = std::nullopt;
   AxialFrom axial_from = AxialFrom::kRhythm;  ///< what a column of axial turns counts from
+  /// Whether a file has to have that column: somebody said what it counts from.
+  bool must_have_axial = false;
 };
 
 /// An elevation may be beyond its ends by as much [deg], as rounding and filters make it, and is
@@ -56,8 +58,10 @@ inline constexpr double kElevationRounding_deg = 0.5;
 /// A plane or an axial rotation may have gone round so often; far beyond, its digits say nothing.
 inline constexpr double kMostTurned_deg = 3600;
 
-/// Returns an elevation as Girdle counts it, within 0 to 180 [deg].
-[[nodiscard]] double ElevationRead_deg(double elevation_deg, AngleConvention convention);
+/// Returns an elevation as Girdle counts it, within 0 to 180 [deg]. If an axial turn stands beside
+/// it, the message about another sign says what that means for the axial turn.
+[[nodiscard]] double ElevationRead_deg(double elevation_deg, AngleConvention convention,
+                                       bool has_axial = false);
 
 /// Returns a plane within -180 to 180 [deg]: 350 is -10, 181 is -179. One that is within already
 /// stays as it is.

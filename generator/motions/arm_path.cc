@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <glm/geometric.hpp>
 
+#include "kinematics/axial_zero.h"
 #include "kinematics/rotation.h"
 
 namespace girdle {
@@ -18,9 +19,8 @@ constexpr double kRounding = 1e-9;
 
 // Where the elbow lies, seen from GH: hanging is -y, plane 0 is z, plane 90 is x.
 Vector3 DirectionOf(const ArmCommand& command) noexcept {
-  const double sine = std::sin(command.elevation_rad);
-  return {sine * std::sin(command.plane_rad), -std::cos(command.elevation_rad),
-          sine * std::cos(command.plane_rad)};
+  const auto [x, y, z] = UpTheArm<double>({command.elevation_rad, command.plane_rad});
+  return {-x, -y, -z};
 }
 
 bool Hangs(const ArmCommand& command) noexcept { return command.elevation_rad == 0; }
@@ -67,8 +67,6 @@ double WithinHalfTurn(double angle_rad) noexcept {
   return std::abs(angle_rad) <= kPi ? angle_rad : std::remainder(angle_rad, 2 * kPi);
 }
 
-double Between(double from, double to, double share) noexcept { return from + share * (to - from); }
-
 // Successive rows that hang.
 struct HangingRows {
   std::size_t begin;
@@ -110,6 +108,8 @@ ArmCommand OnTheWay(const ArmCommand& from, const ArmCommand& to, double share) 
 }
 
 }  // namespace
+
+double Between(double from, double to, double share) noexcept { return from + share * (to - from); }
 
 double ShortWay_rad(double from_rad, double to_rad) noexcept {
   return std::remainder(to_rad - from_rad, 2 * kPi);

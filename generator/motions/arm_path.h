@@ -44,8 +44,7 @@ struct TimedCommand {
 class ArmPath {
  public:
   /// Precondition: one row or more, which count axial turns from one zero, times increasing,
-  /// elevations within [0, pi], planes within
-  /// [-pi, pi].
+  /// elevations within [0, pi], planes within [-pi, pi].
   explicit ArmPath(const std::vector<TimedCommand>& commands);
 
   /// The command at a time [s]; held before the first row and after the last. At the time of a row
@@ -66,6 +65,9 @@ class ArmPath {
 
   std::vector<Stretch> stretches_;  ///< one at least; axial from ISB's zero is the whole turn
 };
+
+/// Returns the number that is a share of the straight way from one to another.
+[[nodiscard]] double Between(double from, double to, double share) noexcept;
 
 /// Returns `to_rad - from_rad` the short way round, within [-pi, pi].
 [[nodiscard]] double ShortWay_rad(double from_rad, double to_rad) noexcept;

@@ -3,9 +3,11 @@
 
 #include "motions/command_columns.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
+#include "motions/axial_names.h"
 #include "names/model_names.h"
 #include "text/number_text.h"
 
@@ -33,9 +35,7 @@ CommandColumns::CommandColumns(const CsvReader& csv, const AngleReading& reading
   csv.ExpectNoneNearly(known);
   elevation_ = csv.Column(kElevationColumn);
   plane_ = csv.Column(kPlaneColumn);
-  if (csv.HasColumn(kAxialColumn)) {
-    axial_ = csv.Column(kAxialColumn);
-  }
+  FindAxial(csv);
   const auto add_offset = [&](const char* name, double ArmCommand::*angle_rad,
                               const CoordinateRange& range) {
     if (csv.HasColumn(name)) {
@@ -47,13 +47,36 @@ CommandColumns::CommandColumns(const CsvReader& csv, const AngleReading& reading
   add_offset(kProtractionColumn, &ArmCommand::protraction_rad, kProtractionRange);
 }
 
+void CommandColumns::FindAxial(const CsvReader& csv) {
+  if (csv.HasColumn(kAxialColumn)) {
+    axial_ = csv.Column(kAxialColumn);
+    return;
+  }
+  const std::vector<std::string>& names = csv.columns();
+  const auto meant = std::find_if(names.begin(), names.end(), MeansAxialTurn);
+  if (meant != names.end()) {
+    csv.Fail("column '" + *meant + "' is not known. Did you mean '" + kAxialColumn +
+             "', in which internal rotation is positive? Correct its name, and give --axial-from "
+             "isb if it is ISB's third angle; or give it a name that is less alike");
+  }
+  if (reading_.must_have_axial) {
+    csv.Fail("--axial-from " + std::string(Name(reading_.axial_from)) +
+             ": no axial turn is given. Add the column " + kAxialColumn +
+             ", or leave --axial-from away");
+  }
+}
+
+std::optional<AxialFrom> CommandColumns::axial_from() const noexcept {
+  return axial_ ? std::optional(reading_.axial_from) : std::nullopt;
+}
+
 double CommandColumns::Degrees(double number) const noexcept {
-  return reading_.unit == AngleUnit::kRadians ? DegreesFromRadians(number) : number;
+  return reading_.unit == AngleUnit::kRadian ? DegreesFromRadians(number) : number;
 }
 
 double CommandColumns::OffsetRead_deg(const CsvRows& row, const Offset& offset) const {
   const double number = row.Number(offset.index);
-  const bool is_radians = reading_.unit == AngleUnit::kRadians;
+  const bool is_radians = reading_.unit == AngleUnit::kRadian;
   // As typed, so that the bounds themselves are accepted in radians.
   const double offset_deg = is_radians ? TypedDegrees(number) : number;
   if (offset_deg < offset.lower_deg || offset_deg > offset.upper_deg) {
@@ -70,7 +93,7 @@ ArmCommand CommandColumns::Read(const CsvRows& row, const ArmCommand& otherwise,
   const double elevation = row.Number(elevation_);
   const double plane = row.Number(plane_);
   command.elevation_rad = AngleOf(row, elevation_, elevation, [&] {
-    return ElevationRead_deg(Degrees(elevation), reading_.convention);
+    return ElevationRead_deg(Degrees(elevation), reading_.convention, axial_.has_value());
   });
   command.plane_rad = AngleOf(row, plane_, plane, [&] { return PlaneRead_deg(Degrees(plane)); });
   if (axial_) {

@@ -24,11 +24,12 @@ inline constexpr const char* kProtractionColumn = "protraction_deg";
 
 /// The columns of one file that make its commands: `elevation_deg` and `plane_deg`, optionally
 /// `axial_deg`, `shrug_deg` and `protraction_deg`, in any order. Others are nobody's business,
-/// unless they are nearly one of these. Immutable: threads share it.
+/// unless they are nearly one of these or, in a file without `axial_deg`, mean the axial turn.
+/// Immutable: threads share it.
 class CommandColumns {
  public:
   /// Throws InputError at the header if a column is missing, or is nearly called as one of these or
-  /// of `further` (IsNearly), with the name that is meant.
+  /// of `further` (IsNearly) or as the axial turn (MeansAxialTurn), with the name that is meant.
   CommandColumns(const CsvReader& csv, const AngleReading& reading,
                  const std::vector<std::string_view>& further = {});
 
@@ -39,6 +40,9 @@ class CommandColumns {
   [[nodiscard]] ArmCommand Read(const CsvRows& row, const ArmCommand& otherwise,
                                 AngleSpan& span) const;
 
+  /// What the file's axial turns count from; nothing if it has none.
+  [[nodiscard]] std::optional<AxialFrom> axial_from() const noexcept;
+
  private:
   struct Offset {
     std::size_t index;
@@ -47,6 +51,7 @@ class CommandColumns {
     double upper_deg;
   };
 
+  void FindAxial(const CsvReader& csv);
   [[nodiscard]] double Degrees(double number) const noexcept;
   [[nodiscard]] double OffsetRead_deg(const CsvRows& row, const Offset& offset) const;
 

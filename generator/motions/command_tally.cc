@@ -45,17 +45,21 @@ void CommandTally::Add(const CommandTally& other) noexcept {
   farthest_rad = WorseOf(farthest_rad, other.farthest_rad);
 }
 
-std::string TallyText(const CommandTally& tally, Range range) {
+std::string TallyText(const CommandTally& tally, const TallySubject& subject) {
   constexpr int kDecimals = 1;
   std::string text =
-      std::to_string(tally.rows) + " rows, " + std::to_string(tally.clamped) + " clamped";
+      CountText(tally.rows, subject.counted) + ", " + std::to_string(tally.clamped) + " clamped";
   if (tally.clamped > 0) {
-    text += " (" + ReasonText(tally, range) + "; see the columns used_*)";
+    text += " (" + ReasonText(tally, subject.range) +
+            (subject.has_used_columns ? "; see the columns used_*" : "") + ")";
   }
   text += ", " + std::to_string(tally.modelled) + " modelled";
   if (tally.modelled > 0) {
     text += " (up to " + RoundedText(DegreesFromRadians(tally.farthest_rad), kDecimals) +
             " deg from measured directions)";
+  }
+  if (subject.axial_from) {
+    text += ", axial from " + std::string(Name(*subject.axial_from));
   }
   return text;
 }

@@ -5,7 +5,9 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "kinematics/shoulder_rhythm.h"
 
@@ -24,10 +26,19 @@ struct CommandTally {
   void Add(const CommandTally& other) noexcept;
 };
 
+/// What a tally is of.
+struct TallySubject {
+  Range range = Range::kWhole;       ///< of the rhythm that answered
+  std::string_view counted = "row";  ///< what was answered, one of it
+  bool has_used_columns = true;      ///< whether the columns used_* were written
+  /// What axial turns counted from that were read, if any were.
+  std::optional<AxialFrom> axial_from = std::nullopt;
+};
+
 /// Returns a line without its end:
 ///
 ///     6 rows, 1 clamped (1 beyond what an arm reaches; see the columns used_*), 2 modelled (up
-///     to 37.2 deg from measured directions)
-[[nodiscard]] std::string TallyText(const CommandTally& tally, Range range);
+///     to 37.2 deg from measured directions), axial from isb
+[[nodiscard]] std::string TallyText(const CommandTally& tally, const TallySubject& subject);
 
 }  // namespace girdle

@@ -18,13 +18,13 @@
 namespace girdle {
 namespace {
 
-ArmCommand Between(const ArmCommand& a, const ArmCommand& b, double t) {
-  const auto mix = [t](double from, double to) { return from + t * (to - from); };
-  return {mix(a.elevation_rad, b.elevation_rad),
-          mix(a.plane_rad, b.plane_rad),
-          mix(a.axial_rad, b.axial_rad),
-          mix(a.shrug_rad, b.shrug_rad),
-          mix(a.protraction_rad, b.protraction_rad),
+// On a straight line in the numbers of commands.
+ArmCommand StraightBetween(const ArmCommand& a, const ArmCommand& b, double share) noexcept {
+  return {Between(a.elevation_rad, b.elevation_rad, share),
+          Between(a.plane_rad, b.plane_rad, share),
+          Between(a.axial_rad, b.axial_rad, share),
+          Between(a.shrug_rad, b.shrug_rad, share),
+          Between(a.protraction_rad, b.protraction_rad, share),
           a.axial_from};
 }
 
@@ -60,6 +60,36 @@ class RowTimes {
   std::optional<double> previous_s_;
 };
 
+// A recording has rows closer than this [s]; a motion of a few rows is made by hand.
+constexpr double kFarRows_s = 1;
+constexpr std::size_t kFewRows = 10;
+
+// The median of the times from row to row [s]. Precondition: two rows or more.
+double MedianStep_s(const std::vector<TimedCommand>& rows) {
+  std::vector<double> steps_s;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    steps_s.push_back(rows[i].time_s - rows[i - 1].time_s);
+  }
+  const auto middle = steps_s.begin() + static_cast<std::ptrdiff_t>(steps_s.size() / 2);
+  std::nth_element(steps_s.begin(), middle, steps_s.end());
+  return *middle;
+}
+
+// What is odd about the times: a recording of some seconds with stamps in milliseconds is no longer
+// than a motion may be.
+std::string HintAbout(const std::string& file, const std::vector<TimedCommand>& rows) {
+  if (rows.size() <= kFewRows) {
+    return "";
+  }
+  constexpr int kDecimals = 3;
+  const double step_s = MedianStep_s(rows);
+  return step_s < kFarRows_s ? ""
+                             : file + ": its " + CountText(rows.size(), "row") + " are " +
+                                   RoundedText(step_s, kDecimals) + " s apart (median), " +
+                                   RoundedText(rows.back().time_s, kDecimals) +
+                                   " s in all. If time_s is in milliseconds, divide it by 1000";
+}
+
 }  // namespace
 
 CommandRate RateOf(const Motion& motion, double time_s, double step_s) {
@@ -75,7 +105,7 @@ Motion ReachingMotion(std::string name, const ArmCommand& from, const ArmCommand
   // s = 10 t^3 - 15 t^4 + 6 t^5: velocity and acceleration are 0 at both ends.
   return {std::move(name), duration_s, [from, to, duration_s](double time_s) {
             const double t = std::clamp(time_s / duration_s, 0.0, 1.0);
-            return Between(from, to, t * t * t * (10 + t * (-15 + 6 * t)));
+            return StraightBetween(from, to, t * t * t * (10 + t * (-15 + 6 * t)));
           }};
 }
 
@@ -94,7 +124,8 @@ Motion ReadMotion(std::istream& in, const std::string& name, const MotionReading
   }
   span.ExpectKnownUnit(name);
   const double duration_s = rows.back().time_s;
-  return {name, duration_s, [path = ArmPath(rows)](double time_s) { return path.At(time_s); }};
+  return {name, duration_s, [path = ArmPath(rows)](double time_s) { return path.At(time_s); },
+          columns.axial_from(), HintAbout(name, rows)};
 }
 
 }  // namespace girdle

@@ -7,6 +7,7 @@
 #include <array>
 #include <functional>
 #include <istream>
+#include <optional>
 #include <string>
 
 #include "kinematics/shoulder_rhythm.h"
@@ -30,6 +31,11 @@ struct Motion {
   double duration_s = 0;
   /// Command at a time from the start [s]; held before 0 and after the end.
   std::function<ArmCommand(double time_s)> command;
+  /// What axial turns of its file count from; nothing if it has none.
+  std::optional<AxialFrom> axial_from = std::nullopt;
+  /// What whoever wrote the file may not have meant, a line without its end; empty if nothing is
+  /// odd.
+  std::string hint = {};
 };
 
 /// How fast elevation, plane and axial change [rad/s].
@@ -40,9 +46,9 @@ using CommandRate = std::array<double, kRateCount>;
 [[nodiscard]] CommandRate RateOf(const Motion& motion, double time_s, double step_s);
 
 /// Returns a motion from one command to another, which count axial turns from one zero, on a
-/// straight line in (elevation, plane, axial),
-/// with the speed profile of a reaching arm (least jerk: Flash and Hogan, J Neurosci 1985;5:1688),
-/// at rest at both ends. Precondition: duration_s > 0.
+/// straight line in (elevation, plane, axial), with the speed profile of a reaching arm (least
+/// jerk: Flash and Hogan, J Neurosci 1985;5:1688), at rest at both ends. Precondition: duration_s >
+/// 0.
 [[nodiscard]] Motion ReachingMotion(std::string name, const ArmCommand& from, const ArmCommand& to,
                                     double duration_s);
 
@@ -54,7 +60,8 @@ struct MotionReading {
 
 /// Reads `time_s` and the columns of CommandColumns, times increasing, and goes from row to row as
 /// ArmPath does. The motion starts at the first time, whatever that is. Throws InputError with file
-/// and line, also for a motion longer than `longest_s`.
+/// and line, also for a motion longer than `longest_s`. If more than ten rows are a second or more
+/// apart in the median, the motion's hint says so: stamps of a recording in milliseconds are.
 [[nodiscard]] Motion ReadMotion(std::istream& in, const std::string& name,
                                 const MotionReading& reading = {});
 

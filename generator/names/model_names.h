@@ -47,6 +47,9 @@ inline constexpr std::array<std::string_view, kCommandCount> kCommandNames = {"e
 /// Stems of columns with the axial turn of the command used, counted from the rhythm's own and as
 /// ISB's third angle.
 inline constexpr std::array<std::string_view, 2> kUsedAxialNames = {"used_axial", "used_axial_isb"};
+/// Stems of columns with the offsets of the command used, in the order of kOffsetNames.
+inline constexpr std::array<std::string_view, kOffsetCount> kUsedOffsetNames = {"used_shrug",
+                                                                                "used_protraction"};
 /// Stems of those that a model may have beside them: offsets of the clavicle [rad] ...
 inline constexpr std::array<std::string_view, kOffsetCount> kOffsetNames = {"shrug", "protraction"};
 /// ... and how fast the commands change [rad/s], for velocity feed-forward.

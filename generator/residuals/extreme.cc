@@ -28,7 +28,7 @@ Residual Extreme::Worst(std::string group, std::string item, std::string unit,
 Residual Extreme::RootMeanSquare(std::string group, std::string item, std::string unit,
                                  std::optional<double> tolerance) const {
   return {std::move(group), std::move(item), worst_case_.rms(),
-          std::move(unit),  tolerance,       std::to_string(worst_case_.count()) + " values"};
+          std::move(unit),  tolerance,       CountText(worst_case_.count(), "value")};
 }
 
 }  // namespace girdle

@@ -143,7 +143,7 @@ void AppendTo(std::vector<Residual>& lines, const Spread& spread, const std::str
     return;
   }
   lines.push_back({group, item + ", rms", spread.rms(), unit, std::nullopt,
-                   std::to_string(spread.count()) + " values"});
+                   CountText(spread.count(), "value")});
   lines.push_back(
       {group, item + ", largest", spread.value(), unit, std::nullopt, PlaceText(spread.place())});
 }

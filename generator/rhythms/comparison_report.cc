@@ -196,10 +196,10 @@ std::string ComparisonAsText(const Comparison& comparison) {
       std::string(Name(comparison.options.closure)) + "\ntable     elevation " +
       RangeText(comparison.table_from_elevation_rad, comparison.table_to_elevation_rad) +
       ", plane " + RangeText(comparison.table_from_plane_rad, comparison.table_to_plane_rad) +
-      ": " + std::to_string(comparison.compared_in_table) + " positions\nmap       elevation " +
+      ": " + CountText(comparison.compared_in_table, "position") + "\nmap       elevation " +
       RangeText(map.elevations_rad.front(), map.elevations_rad.back()) + ", plane " +
       RangeText(map.planes_rad.front(), map.planes_rad.back()) + ": " +
-      std::to_string(comparison.compared_on_map) + " positions";
+      CountText(comparison.compared_on_map, "position");
   if (clamped > 0) {
     text += "; " + std::to_string(clamped) + " left out, beyond Girdle's reach";
   }

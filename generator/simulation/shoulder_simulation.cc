@@ -31,20 +31,23 @@ ShoulderSimulation::ShoulderSimulation(LoadedShoulders shoulders)
       rhythm_(OwnRhythm(loaded_)),
       axial_from_(OwnAxialFrom(loaded_)) {}
 
+double ShoulderSimulation::WithinControl(double value, int control) const {
+  if (control < 0 || model().actuator_ctrllimited[control] == 0) {
+    return value;
+  }
+  const mjtNum* const range = model().actuator_ctrlrange + 2 * control;
+  return std::clamp(value, range[0], range[1]);
+}
+
 // The plugin solves what is left of the command within the controls' ranges.
 ArmCommand ShoulderSimulation::AsModelCounts(const ArmCommand& command) const {
   if (command.axial_from == axial_from_) {
     return command;
   }
-  const auto within_range = [this](double value, int control) {
-    const mjtNum* const range = model().actuator_ctrlrange + 2 * control;
-    return model().actuator_ctrllimited[control] != 0 ? std::clamp(value, range[0], range[1])
-                                                      : value;
-  };
   ArmCommand read = command;
   if (has_plugin()) {
-    read.elevation_rad = within_range(command.elevation_rad, elements().command_controls[0]);
-    read.plane_rad = within_range(command.plane_rad, elements().command_controls[1]);
+    read.elevation_rad = WithinControl(command.elevation_rad, elements().command_controls[0]);
+    read.plane_rad = WithinControl(command.plane_rad, elements().command_controls[1]);
   }
   ArmCommand counted = command;
   counted.axial_rad = rhythm_.rhythm().AxialCountedFrom(axial_from_, read);
@@ -205,6 +208,7 @@ ShoulderState ShoulderSimulation::Derived(double time_s, const ArmCommand& comma
     state.used.plane_rad = sensor[sensor_layout::kCommanded + 1];
     state.used.axial_rad = sensor[sensor_layout::kCommanded + 2];
     state.used.axial_from = AxialFrom::kRhythm;
+    TakeOffsetsUsed(state.used);
     state.used_axial_isb_rad = sensor[sensor_layout::kCommandedIsb];
     state.clamped = rhythm_.rhythm().IsClamped(AsModelCounts(command), state.used);
   } else {
@@ -227,6 +231,19 @@ ShoulderState ShoulderSimulation::Derived(double time_s, const ArmCommand& comma
     state.site_m[i] = {p[0], p[1], p[2]};
   }
   return state;
+}
+
+void ShoulderSimulation::TakeOffsetsUsed(ArmCommand& used) const {
+  if (used.shrug_rad == 0 && used.protraction_rad == 0) {
+    return;
+  }
+  ArmCommand read = used;
+  read.shrug_rad = WithinControl(used.shrug_rad, elements().offset_controls[0]);
+  read.protraction_rad = WithinControl(used.protraction_rad, elements().offset_controls[1]);
+  ArmCommand left;
+  static_cast<void>(rhythm_.SolvePose(read, &left));
+  used.shrug_rad = left.shrug_rad;
+  used.protraction_rad = left.protraction_rad;
 }
 
 double ShoulderSimulation::FastestJoint(mjtJoint type) const {

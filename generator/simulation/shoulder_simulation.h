@@ -105,6 +105,10 @@ class ShoulderSimulation {
   [[nodiscard]] ShoulderState Derived(double time_s, const ArmCommand& command,
                                       const JointAngles& position_rad) const;
   [[nodiscard]] double FastestJoint(mjtJoint type) const;
+  /// What is left of a value within the range of a control; `control` is -1 for none.
+  [[nodiscard]] double WithinControl(double value, int control) const;
+  /// Replaces the offsets commanded by those that are left of them where the arm is.
+  void TakeOffsetsUsed(ArmCommand& used) const;
 
   LoadedShoulders loaded_;
   AssembledRhythm rhythm_;

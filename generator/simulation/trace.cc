@@ -92,7 +92,7 @@ Stems UsedAxialStems(const Assembly& /*assembly*/) {
 }
 
 // In the order of the trace. Further columns are a line here.
-constexpr std::array<OutputColumns<ShoulderState, Assembly>, 9> kTraceColumns = {{
+constexpr std::array<OutputColumns<ShoulderState, Assembly>, 10> kTraceColumns = {{
     {[](const Assembly&) { return Stems{"time"}; }, kSeconds,
      [](const ShoulderState& state, std::size_t) -> Cell { return state.time_s; }},
     {CommandStems, kDegrees, CommandAngle},
@@ -110,6 +110,13 @@ constexpr std::array<OutputColumns<ShoulderState, Assembly>, 9> kTraceColumns = 
     {UsedAxialStems, kDegrees,
      [](const ShoulderState& state, std::size_t k) -> Cell {
        return DegreesFromRadians(k == 0 ? state.used.axial_rad : state.used_axial_isb_rad);
+     }},
+    {[](const Assembly&) {
+       return Stems{kUsedOffsetNames.begin(), kUsedOffsetNames.end()};
+     },
+     kDegrees,
+     [](const ShoulderState& state, std::size_t k) -> Cell {
+       return DegreesFromRadians(k == 0 ? state.used.shrug_rad : state.used.protraction_rad);
      }},
     {TargetStems, kDegrees,
      [](const ShoulderState& state, std::size_t k) -> Cell {

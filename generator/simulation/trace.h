@@ -16,8 +16,9 @@ namespace girdle {
 /// axial_deg shrug_deg protraction_deg` as the model is given them, the direction followed,
 /// `used_elevation_deg used_plane_deg`, `distance_deg` from measured data, the axial turn of the
 /// command used, `used_axial_deg` counted from the rhythm's own and `used_axial_isb_deg`, ISB's
-/// third angle, nine `target_*_deg`, nine `*_deg`, world quaternions `clavicle_qw ... humerus_qz`,
-/// world positions `IJ_x_m ...` of all sites.
+/// third angle, and its offsets, `used_shrug_deg used_protraction_deg`; nine `target_*_deg`, nine
+/// `*_deg`, world quaternions `clavicle_qw ... humerus_qz`, world positions `IJ_x_m ...` of all
+/// sites.
 [[nodiscard]] std::string TraceHeader(Assembly assembly);
 
 /// Returns the command [rad] nearest to `command`, a few units in the last place away at most, that

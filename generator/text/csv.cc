@@ -139,7 +139,7 @@ bool CsvRows::Next() {
     Fail(flaw);
   }
   if (fields_.size() != header_.columns.size()) {
-    Fail(std::to_string(fields_.size()) + " fields, expected " +
+    Fail(CountText(fields_.size(), "field") + ", expected " +
          std::to_string(header_.columns.size()) + " as in the header (" + header_.line + ")");
   }
   return true;

@@ -12,8 +12,8 @@
 namespace girdle {
 namespace {
 
-constexpr std::array<std::string_view, 9> kUnits = {"radians", "degrees", "seconds", "degs", "rads",
-                                                    "deg",     "rad",     "sec",     "s"};
+constexpr std::array<std::string_view, 11> kUnits = {
+    "radians", "radian", "degrees", "degree", "seconds", "degs", "rads", "deg", "rad", "sec", "s"};
 
 // Letters and digits alone, letters small.
 std::string Plain(std::string_view name) {
@@ -58,6 +58,11 @@ bool IsOneSlipAway(std::string_view a, std::string_view b) {
 }
 
 }  // namespace
+
+std::string PlainStem(std::string_view name) {
+  const std::string plain = Plain(name);
+  return std::string(Stem(plain));
+}
 
 bool IsNearly(std::string_view name, std::string_view known) {
   if (name == known) {

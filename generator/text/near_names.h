@@ -4,17 +4,21 @@
 /// Names that are nearly others: slips of who types them.
 #pragma once
 
+#include <string>
 #include <string_view>
 
 namespace girdle {
+
+/// Returns the letters and digits of a name, letters small, without the unit that it ends in:
+/// `axialrotation` for `Axial rotation (deg)`.
+[[nodiscard]] std::string PlainStem(std::string_view name);
 
 /// Returns whether `name` is nearly `known`, the name of a column such as `axial_deg`, and not
 /// `known` itself. Capital letters and characters between words do not matter. It is nearly so if
 ///
 /// - it has the same stem and another unit or none: `axial`, `axial_rad`, `Axial (deg)`, `axials`;
 /// - or, of five letters and more, one is missing, too much, wrong, or two neighbours are
-/// exchanged:
-///   `plan_deg`.
+///   exchanged: `plan_deg`.
 [[nodiscard]] bool IsNearly(std::string_view name, std::string_view known);
 
 }  // namespace girdle

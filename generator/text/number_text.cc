@@ -167,4 +167,8 @@ std::string RoundedText(double value, int decimals) {
   return text == "-0" ? "0" : text;
 }
 
+std::string CountText(std::uintmax_t count, std::string_view noun) {
+  return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
+}
+
 }  // namespace girdle

@@ -5,6 +5,7 @@
 /// the locale.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -35,5 +36,8 @@ void AppendRounded(std::string& text, double value);
 /// Returns `value` rounded to `decimals` places, without trailing zeros; for tables that people
 /// read.
 [[nodiscard]] std::string RoundedText(double value, int decimals);
+
+/// Returns a count with what is counted: `1 row`, `2 rows`. The noun's plural has an s.
+[[nodiscard]] std::string CountText(std::uintmax_t count, std::string_view noun);
 
 }  // namespace girdle

@@ -41,8 +41,8 @@ std::string RefusalOf(const std::string& text, const AngleReading& reading = {})
 }
 
 constexpr AngleReading kIsb = {AngleConvention::kIsb, {}};
-constexpr AngleReading kRadians = {AngleConvention::kGirdle, AngleUnit::kRadians};
-constexpr AngleReading kDegrees = {AngleConvention::kGirdle, AngleUnit::kDegrees};
+constexpr AngleReading kRadians = {AngleConvention::kGirdle, AngleUnit::kRadian};
+constexpr AngleReading kDegrees = {AngleConvention::kGirdle, AngleUnit::kDegree};
 
 TEST(CommandColumns, AreReadInAnyOrderAmongOthers) {
   const ArmCommand command =
@@ -104,6 +104,17 @@ TEST(CommandColumns, AreRefusedWithPlaceValueAndFix) {
             "t.csv:3: elevation_deg is -15: elevation counts from 0, hanging, up to 180. ISB's "
             "Y-X'-Y'' writes that of a raised arm negative: if this one is so, give --convention "
             "isb");
+  // An axial turn is ISB's, too, and stays so where only the elevation is turned by hand.
+  EXPECT_EQ(RefusalOf("elevation_deg,plane_deg,axial_deg\n-15,40,-60\n"),
+            "t.csv:2: elevation_deg is -15: elevation counts from 0, hanging, up to 180. ISB's "
+            "Y-X'-Y'' writes that of a raised arm negative: if this one is so, give --convention "
+            "isb, which reads axial as ISB's third angle, too. If you turn the sign of the "
+            "elevation yourself instead, leave axial as it is and give --axial-from isb");
+  EXPECT_EQ(RefusalOf("elevation_deg,plane_deg,axial_deg\n15,40,-60\n", kIsb),
+            "t.csv:2: elevation_deg is 15: ISB's Y-X'-Y'' writes the elevation of a raised arm "
+            "negative, 0 to -180. If here it is positive, give --convention girdle, and "
+            "--axial-from isb if axial is ISB's third angle; if the arm points to the other side, "
+            "write (plane + 180, -elevation, axial + 180), the same rotation");
   EXPECT_TRUE(RefusalOf("elevation_deg,plane_deg\n-15,40\n15,40\n", kIsb)
                   .starts_with("t.csv:3: elevation_deg is 15: ISB's Y-X'-Y'' writes"));
   EXPECT_EQ(RefusalOf("elevation_deg,plane_deg\n181,40\n"),
@@ -127,6 +138,38 @@ TEST(CommandColumns, AreRefusedWhereOneIsNearlyKnown) {
             "t.csv:1: column 'plane_deg' is missing. The header has: elevation_deg, psi");
 }
 
+TEST(CommandColumns, AreRefusedWhereAnotherOnePlainlyIsTheAxialTurn) {
+  EXPECT_EQ(RefusalOf("elevation_deg,plane_deg,internal_rotation_deg\n15,40,1\n"),
+            "t.csv:1: column 'internal_rotation_deg' is not known. Did you mean 'axial_deg', in "
+            "which internal rotation is positive? Correct its name, and give --axial-from isb if "
+            "it is ISB's third angle; or give it a name that is less alike");
+  // Beside the one that is read it is the owner's business.
+  EXPECT_EQ(RefusalOf("elevation_deg,plane_deg,axial_deg,axial_isb_deg\n15,40,1,-40\n"),
+            "accepted");
+}
+
+TEST(CommandColumns, AreRefusedWithoutAnAxialTurnWhereItsZeroIsSaid) {
+  AngleReading said;
+  said.axial_from = AxialFrom::kIsb;
+  said.must_have_axial = true;
+  EXPECT_EQ(RefusalOf("elevation_deg,plane_deg\n15,40\n", said),
+            "t.csv:1: --axial-from isb: no axial turn is given. Add the column axial_deg, or leave "
+            "--axial-from away");
+  EXPECT_EQ(RefusalOf("elevation_deg,plane_deg,axial_deg\n15,40,1\n", said), "accepted");
+}
+
+TEST(CommandColumns, SayWhatAxialTurnsCountFrom) {
+  AngleReading from_isb;
+  from_isb.axial_from = AxialFrom::kIsb;
+  const auto axial_from = [&from_isb](const std::string& header) {
+    std::istringstream in(header);
+    const CsvReader csv(in, "t.csv");
+    return CommandColumns(csv, from_isb).axial_from();
+  };
+  EXPECT_EQ(axial_from("elevation_deg,plane_deg,axial_deg\n"), AxialFrom::kIsb);
+  EXPECT_EQ(axial_from("elevation_deg,plane_deg\n"), std::nullopt);
+}
+
 // Rows of an arm that is raised from 0.1 to `last` in steps of a tenth.
 std::string RaisedTo(double last, int rows, double plane) {
   std::ostringstream text;
@@ -143,12 +186,20 @@ TEST(AngleSpan, TellsRadiansThatNobodySaid) {
             "like radians. Give --angles rad, or --angles deg if they are degrees");
 }
 
+TEST(AngleSpan, TellsRadiansOfPlanesThatAreCountedFromZeroToAWholeTurn) {
+  for (const double plane : {3.3, 6.28, -6.28}) {
+    EXPECT_TRUE(RefusalOf(RaisedTo(2.1, 10, plane)).ends_with("--angles deg if they are degrees"))
+        << plane;
+  }
+}
+
 TEST(AngleSpan, LeavesWhatIsSaidOrShortOrStillOrFar) {
   EXPECT_EQ(RefusalOf(RaisedTo(2.1, 10, 0.7), kRadians), "accepted");
   EXPECT_EQ(RefusalOf(RaisedTo(2.1, 10, 0.7), kDegrees), "accepted");
   EXPECT_EQ(RefusalOf(RaisedTo(2.1, 9, 0.7)), "accepted");
   EXPECT_EQ(RefusalOf(RaisedTo(0.6, 10, 0.7)), "accepted");
-  EXPECT_EQ(RefusalOf(RaisedTo(2.1, 10, 3.3)), "accepted");
+  EXPECT_EQ(RefusalOf(RaisedTo(2.1, 10, 6.5)), "accepted");
+  EXPECT_EQ(RefusalOf(RaisedTo(2.1, 10, -6.5)), "accepted");
   EXPECT_EQ(RefusalOf(RaisedTo(3.3, 10, 0.7)), "accepted");
 }
 

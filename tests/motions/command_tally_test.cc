@@ -9,18 +9,31 @@ namespace girdle::command_tally_test {
 namespace {
 
 TEST(TallyText, CountsRowsAndSaysWhyTheyWereClamped) {
-  EXPECT_EQ(TallyText({}, Range::kWhole), "0 rows, 0 clamped, 0 modelled");
+  EXPECT_EQ(TallyText({}, {}), "0 rows, 0 clamped, 0 modelled");
   const CommandTally tally{9, 3, 2, 4, RadiansFromDegrees(37.25)};
   EXPECT_EQ(
-      TallyText(tally, Range::kWhole),
+      TallyText(tally, {Range::kWhole}),
       "9 rows, 3 clamped (2 beyond what an arm reaches, 1 beyond the range of a joint or "
       "control; see the columns used_*), 4 modelled (up to 37.2 deg from measured directions)");
-  EXPECT_EQ(TallyText({9, 2, 2, 0, 0}, Range::kClamp),
+  EXPECT_EQ(TallyText({9, 2, 2, 0, 0}, {Range::kClamp}),
             "9 rows, 2 clamped (2 beyond the table; see the columns used_*), 0 modelled");
   EXPECT_EQ(
-      TallyText({9, 1, 0, 0, 0}, Range::kWhole),
+      TallyText({9, 1, 0, 0, 0}, {Range::kWhole}),
       "9 rows, 1 clamped (1 beyond the range of a joint or control; see the columns used_*), 0 "
       "modelled");
+}
+
+TEST(TallyText, NamesWhatIsCountedAndPointsToColumnsThatAreThere) {
+  EXPECT_EQ(TallyText({1, 0, 0, 0, 0}, {}), "1 row, 0 clamped, 0 modelled");
+  EXPECT_EQ(TallyText({1, 1, 1, 0, 0}, {Range::kWhole, "simulated state", false}),
+            "1 simulated state, 1 clamped (1 beyond what an arm reaches), 0 modelled");
+  EXPECT_EQ(TallyText({2, 0, 0, 0, 0}, {Range::kWhole, "simulated state"}),
+            "2 simulated states, 0 clamped, 0 modelled");
+}
+
+TEST(TallyText, SaysWhatAxialTurnsCountFrom) {
+  EXPECT_EQ(TallyText({2, 0, 0, 0, 0}, {.axial_from = AxialFrom::kIsb}),
+            "2 rows, 0 clamped, 0 modelled, axial from isb");
 }
 
 TEST(CommandTally, AddsUpParts) {

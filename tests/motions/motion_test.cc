@@ -79,10 +79,35 @@ TEST(ReadMotion, LeavesOtherColumnsAlone) {
 TEST(ReadMotion, ReadsTheConventionAndTheUnitThatAreSaid) {
   std::istringstream in("time_s,elevation_deg,plane_deg\n0,-0.5,0.25\n1,-1.5,0.25\n");
   const Motion motion =
-      ReadMotion(in, "motion.csv", {{AngleConvention::kIsb, AngleUnit::kRadians}, 10});
+      ReadMotion(in, "motion.csv", {{AngleConvention::kIsb, AngleUnit::kRadian}, 10});
   EXPECT_NEAR(motion.command(0).elevation_rad, 0.5, 1e-15);
   EXPECT_NEAR(motion.command(1).elevation_rad, 1.5, 1e-15);
   EXPECT_NEAR(motion.command(1).plane_rad, 0.25, 1e-15);
+}
+
+// The hint about so many rows that are so far apart, but for the first, which is much longer.
+std::string HintOf(int rows, double step_s) {
+  std::ostringstream text;
+  text << "time_s,elevation_deg,plane_deg\n-500,20,40\n";
+  for (int i = 1; i < rows; ++i) {
+    text << i * step_s << ",30,40\n";
+  }
+  return FromText(text.str()).hint;
+}
+
+TEST(ReadMotion, HintsAtStampsInMilliseconds) {
+  EXPECT_EQ(HintOf(101, 10),
+            "motion.csv: its 101 rows are 10 s apart (median), 1500 s in all. If time_s is in "
+            "milliseconds, divide it by 1000");
+  EXPECT_NE(HintOf(11, 1), "");
+  EXPECT_EQ(HintOf(10, 1), "");
+  EXPECT_EQ(HintOf(101, 0.99), "");
+}
+
+TEST(ReadMotion, SaysWhatAxialTurnsCountFrom) {
+  EXPECT_EQ(FromText("time_s,elevation_deg,plane_deg,axial_deg\n0,20,40,1\n").axial_from,
+            AxialFrom::kRhythm);
+  EXPECT_EQ(FromText(kValid).axial_from, std::nullopt);
 }
 
 TEST(ReadMotion, RefusesWhatLooksLikeRadians) {

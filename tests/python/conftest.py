@@ -136,7 +136,10 @@ def girdle(program: Path, tmp_path: Path) -> Girdle:
 
 
 # What standard error says after a file of commands.
-TALLY = re.compile(r"girdle: .+: \d+ rows, \d+ clamped( \(.+\))?, \d+ modelled( \(.+\))?\n")
+TALLY = re.compile(
+    r"girdle: .+: \d+ (row|simulated state)s?, \d+ clamped( \(.+\))?, \d+ modelled( \(.+\))?"
+    r"(, axial from (rhythm|isb|swing))?\n"
+)
 
 
 @pytest.fixture

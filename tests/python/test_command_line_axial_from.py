@@ -8,6 +8,7 @@ import csv
 import io
 import json
 import re
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -154,7 +155,55 @@ def test_a_file_without_the_column_is_refused(refuses: Refuses) -> None:
     )  # fmt: skip
 
 
-def test_a_raise_has_no_turn_to_count(refuses: Refuses, model_path: object) -> None:
+@pytest.mark.parametrize(
+    "column", ["axial_rotation_deg", "axial_isb_deg", "external_rotation_deg", "Humeral rotation"]
+)
+def test_a_column_that_plainly_is_the_axial_turn_is_refused_by_every_verb(
+    refuses: Refuses, model_path: Path, tmp_path: Path, column: str
+) -> None:
+    (tmp_path / "arm.csv").write_text(f"time_s,elevation_deg,plane_deg,{column}\n0,20,40,1\n1,60,40,1\n")
+    because = (f"arm.csv:1: column '{column}' is not known. Did you mean 'axial_deg'", "--axial-from isb")
+    refuses("solve", "--in", "arm.csv", "--out", "angles.csv", because=because)
+    words = ("simulate", model_path, "--motion", "arm.csv", "--trace", "trace.csv")
+    refuses(*words, because=because)
+
+
+def test_a_motion_without_the_column_is_refused(
+    refuses: Refuses, model_path: Path, tmp_path: Path
+) -> None:
+    (tmp_path / "arm.csv").write_text("time_s,elevation_deg,plane_deg\n0,20,40\n1,60,40\n")
+    words = ("simulate", model_path, "--motion", "arm.csv", "--axial-from", "isb", "--trace", "t.csv")
+    refuses(*words, because=("arm.csv:1: --axial-from isb: no axial turn", "Add the column axial_deg"))
+
+
+def test_what_solve_answered_is_a_motion(girdle_fine: Girdle, model_path: Path, tmp_path: Path) -> None:
+    """Its columns about axial turns are those of the answer, and of bones."""
+    poses = b"time_s,elevation_deg,plane_deg\n0,20,40\n0.01,21,40\n"
+    girdle_fine("solve", "--in", "-", "--out", "solved.csv", stdin=poses)
+    girdle_fine("simulate", model_path, "--motion", "solved.csv")
+
+
+def test_the_tally_says_what_axial_turns_count_from(
+    girdle: Girdle, model_path: Path, tmp_path: Path
+) -> None:
+    rows = "time_s,elevation_deg,plane_deg,axial_deg\n0,60,40,-40\n0.01,60,40,-40\n"
+    (tmp_path / "arm.csv").write_text(rows)
+    (tmp_path / "isb.csv").write_text(rows.replace(",60,", ",-60,"))
+    simulate = ("simulate", model_path, "--motion")
+    for words, zero in (
+        (("solve", "--in", "arm.csv"), "rhythm"),
+        (("solve", "--in", "arm.csv", "--axial-from", "swing"), "swing"),
+        (("solve", "--in", "isb.csv", "--convention", "isb"), "isb"),
+        (("solve", "--elevation=60:70:10", "--plane=40", "--axial=3"), "rhythm"),
+        ((*simulate, "arm.csv"), "rhythm"),
+        ((*simulate, "isb.csv", "--convention", "isb"), "isb"),
+    ):
+        assert girdle(*words).message.endswith(f" modelled, axial from {zero}\n"), words
+    none = girdle("solve", "--elevation=60:70:10", "--plane=40")
+    assert none.message.endswith(" modelled\n")
+
+
+def test_a_raise_has_no_turn_to_count(refuses: Refuses, model_path: Path) -> None:
     refuses(
         "simulate", str(model_path), "--raise", "0:90", "--axial-from", "isb",
         because=("--axial-from belongs to the column axial_deg",),

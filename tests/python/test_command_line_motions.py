@@ -131,7 +131,7 @@ def test_a_walking_arm_is_followed_in_every_row(
     assert min(planes_deg) < -75
     simulated = girdle("simulate", scene, "--motion", "walk.csv", "--trace", "trace.csv")
     assert simulated.code == 0
-    assert "walk.csv: 5001 rows, 0 clamped, " in simulated.message
+    assert "walk.csv: 5001 simulated states, 0 clamped, " in simulated.message
     for row in read_rows((tmp_path / "trace.csv").read_text()):
         assert angle_deg(used(row), humerus(row)) < 3, row["time_s"]
 
@@ -244,7 +244,32 @@ def test_isbs_elevations_of_options_are_read_where_that_is_said(
     same(("solve", "--plane=40", "--json"), "--elevation=90", "--elevation=-90")
     same(("simulate", scene, "--seconds=0.05", "--trace=-"), "--raise=20:60", "--raise=-20:-60")
     swept = read_rows(girdle_fine("solve", "--elevation=-90:-30:30", "--plane=40", *isb).text)
-    assert [float(row["elevation_deg"]) for row in swept] == [90, 60, 30]
+    assert [float(row["elevation_deg"]) for row in swept] == [-90, -60, -30]
+    assert [float(row["used_elevation_deg"]) for row in swept] == pytest.approx([90, 60, 30])
+
+
+def test_an_axial_turn_beside_another_sign_is_spoken_of(refuses: Refuses, tmp_path: Path) -> None:
+    by_hand = ("--convention isb, which reads axial as ISB's third angle", "give --axial-from isb$")
+    (tmp_path / "poses.csv").write_text("elevation_deg,plane_deg,axial_deg\n-15,40,-60\n")
+    refuses("solve", "--in", "poses.csv", because=("poses.csv:2: elevation_deg is -15", *by_hand))
+    pose = ("--plane=40", "--axial=-60")
+    refuses("solve", "--elevation=-15", *pose, because=("--elevation -15: ", *by_hand))
+    refuses("solve", "--elevation=-15:0:5", *pose, because=("--elevation -15: ", *by_hand))
+
+
+def test_a_sweep_stands_as_it_was_typed(girdle_fine: Girdle) -> None:
+    isb = ("--convention", "isb")
+    given = ("--axial=-40", "--shrug=2.5", "--protraction=-3")
+    swept = read_rows(girdle_fine("solve", "--elevation=-90:-30:30", "--plane=400", *isb, *given).text)
+    typed = list(swept[0])[:5]
+    assert typed == ["elevation_deg", "plane_deg", "axial_deg", "shrug_deg", "protraction_deg"]
+    rows = [",".join(row[name] for name in typed) for row in swept]
+    assert rows == [f"{elevation},400,-40,2.5,-3" for elevation in (-90, -60, -30)]
+    # So it can be read again, in the same way.
+    again = "\n".join([",".join(typed), *rows, ""]).encode()
+    assert read_rows(girdle_fine("solve", "--in", "-", *isb, stdin=again).text) == swept
+    plain = girdle_fine("solve", "--elevation=30:90:30", "--plane=40").text
+    assert plain.startswith("elevation_deg,plane_deg,sc_protraction_deg,")
 
 
 def test_a_convention_that_contradicts_the_file_is_refused(
@@ -288,6 +313,14 @@ def test_a_motion_that_looks_like_radians_is_refused(
     (tmp_path / "motion.csv").write_text(motion_text(rows))
     words = ("simulate", scene, "--motion", "motion.csv", "--trace", "trace.csv")
     refuses(*words, because=("motion.csv: in 10 rows", "look like radians", "--angles rad"))
+
+
+def test_radians_with_planes_up_to_a_whole_turn_are_refused(
+    refuses: Refuses, tmp_path: Path
+) -> None:
+    (tmp_path / "poses.csv").write_text(RADIANS.replace(",0.7", ",5.6"))
+    because = ("poses.csv: in 10 rows", "plane_deg 5.6 to 5.6", "look like radians")
+    refuses("solve", "--in", "poses.csv", because=because)
 
 
 def test_the_unit_is_the_one_that_is_said(girdle_fine: Girdle) -> None:
@@ -398,14 +431,42 @@ def test_a_file_ends_with_a_line_that_counts(
     assert finished.message == (
         "girdle: standard input: 4 rows, 2 clamped (1 beyond what an arm reaches, 1 beyond the "
         "range of a joint or control; see the columns used_*), 2 modelled (up to "
-        f"{round(farthest_deg, 1):g} deg from measured directions)\n"
+        f"{round(farthest_deg, 1):g} deg from measured directions), axial from rhythm\n"
     )
+    one = girdle("solve", "--in", "-", stdin=b"elevation_deg,plane_deg\n60,40\n")
+    assert one.message == "girdle: standard input: 1 row, 0 clamped, 0 modelled\n"
     (tmp_path / "motion.csv").write_text(motion_text(((0, 60, 40), (0.01, 60, 40))))
     words = ("simulate", scene, "--motion", "motion.csv", "--json")
     finished = girdle(*words)
-    assert finished.message == "girdle: motion.csv: 6 rows, 0 clamped, 0 modelled\n"
+    assert finished.message == "girdle: motion.csv: 6 simulated states, 0 clamped, 0 modelled\n"
     summary = json.loads(finished.text)
     assert (summary["rows"], summary["clamped_rows"], summary["modelled_rows"]) == (6, 0, 0)
+
+
+def test_columns_are_pointed_to_where_they_are_written(
+    girdle: Girdle, scene: Path, tmp_path: Path
+) -> None:
+    (tmp_path / "motion.csv").write_text(motion_text(((0, 60, 200), (0.01, 60, 200))))
+    words = ("simulate", scene, "--motion", "motion.csv")
+    said = "girdle: motion.csv: 6 simulated states, 6 clamped (6 beyond what an arm reaches"
+    assert girdle(*words).message.startswith(f"{said}), ")
+    traced = girdle(*words, "--trace", "trace.csv").message
+    assert traced.startswith(f"{said}; see the columns used_*), ")
+
+
+def test_stamps_that_may_be_milliseconds_are_pointed_out(
+    girdle: Girdle, girdle_fine: Girdle, scene: Path, tmp_path: Path
+) -> None:
+    stamps = [10.0 * i for i in range(12)]
+    (tmp_path / "motion.csv").write_text(motion_text(tuple((s, 60, 40) for s in stamps)))
+    simulated = girdle("simulate", scene, "--motion", "motion.csv")
+    assert simulated.code == 0
+    assert simulated.message.startswith(
+        "girdle: motion.csv: its 12 rows are 10 s apart (median), 110 s in all. If time_s is in "
+        "milliseconds, divide it by 1000\ngirdle: motion.csv: "
+    )
+    (tmp_path / "motion.csv").write_text(motion_text(tuple((s / 1000, 60, 40) for s in stamps)))
+    girdle_fine("simulate", scene, "--motion", "motion.csv")
 
 
 def test_a_picture_says_which_direction_it_shows(girdle_fine: Girdle, scene: Path) -> None:

@@ -45,6 +45,7 @@ TRACE_COLUMNS = [
     "distance_deg",
     "used_axial_deg",
     "used_axial_isb_deg",
+    *(f"used_{offset}" for offset in OFFSETS),
     *(f"target_{coordinate}_deg" for coordinate in COORDINATES),
     *(f"{coordinate}_deg" for coordinate in COORDINATES),
     *(f"{bone}_q{component}" for bone in BONES for component in "wxyz"),
@@ -461,6 +462,23 @@ def test_offsets_that_end_at_a_joints_range_are_counted(
         pose = (f"--elevation={elevation_deg}", f"--plane={plane_deg}", "--shrug=35", "--json")
         clamped = json.loads(girdle_fine("solve", *pose).text)["clamped"]
         assert clamped == (clamped_rows > 0)
+
+
+def test_the_offsets_that_were_left_are_those_of_solve(
+    girdle_fine: Girdle, scene_with_offsets: Path, tmp_path: Path
+) -> None:
+    """High up the largest shrug is clamped; what is left of it stands in trace and table."""
+    (tmp_path / "motion.csv").write_text(
+        "time_s,elevation_deg,plane_deg,shrug_deg,protraction_deg\n0,150,0,35,4\n0.02,150,0,35,4\n"
+    )
+    pose = ("--elevation=150", "--plane=0", "--shrug=35", "--protraction=4", "--json")
+    left_deg = json.loads(girdle_fine("solve", *pose).text)["used"]
+    assert left_deg["shrug_deg"] < 30
+    words = ("simulate", scene_with_offsets, "--motion", "motion.csv", "--trace", "-")
+    for text in (girdle_fine(*words).text, girdle_fine("solve", "--in", "motion.csv").text):
+        for row in csv.DictReader(text.splitlines()):
+            used_deg = {offset: float(row[f"used_{offset}"]) for offset in OFFSETS}
+            assert used_deg == pytest.approx({o: left_deg[o] for o in OFFSETS}, abs=ROUNDING)
 
 
 def test_a_column_of_zeros_needs_no_command(

@@ -723,9 +723,13 @@ def test_positions_of_a_sweep_are_written_as_they_would_be_typed(girdle_fine: Gi
 
 
 def test_a_sweep_takes_what_a_file_takes(girdle_fine: Girdle, tmp_path: Path) -> None:
-    options = ("--rates", "--shrug=5", "--protraction=-3", "--axial=4", "--table", "measured")
-    girdle_fine("solve", "--elevation=30:60:15", "--plane=40", *options, "--out", "map.csv")
-    poses = b"elevation_deg,plane_deg\n30,40\n45,40\n60,40\n"
+    options = ("--rates", "--table", "measured")
+    given = ("--shrug=5", "--protraction=-3", "--axial=4")
+    girdle_fine("solve", "--elevation=30:60:15", "--plane=40", *given, *options, "--out", "map.csv")
+    poses = (
+        b"elevation_deg,plane_deg,axial_deg,shrug_deg,protraction_deg\n"
+        b"30,40,4,5,-3\n45,40,4,5,-3\n60,40,4,5,-3\n"
+    )
     expected = girdle_fine("solve", "--in", "-", *options, stdin=poses).output
     assert (tmp_path / "map.csv").read_bytes() == expected
 

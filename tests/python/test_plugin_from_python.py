@@ -328,6 +328,7 @@ def test_the_trace_has_its_columns_in_order(trace: Trace) -> None:
         "distance_deg",
         "used_axial_deg",
         "used_axial_isb_deg",
+        *(f"used_{offset}_deg" for offset in OFFSETS),
         *(f"target_{coordinate}_deg" for coordinate in COORDINATES),
         *(f"{coordinate}_deg" for coordinate in COORDINATES),
         *(f"{body}_q{axis}" for body in MOVING_BODIES for axis in "wxyz"),

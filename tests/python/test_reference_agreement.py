@@ -38,7 +38,7 @@ NUDGE_DEG = 1e-9
 SOLVED_COLUMNS = [
     *(f"{coordinate}_deg" for coordinate in COORDINATES),
     *("clamped", "used_elevation_deg", "used_plane_deg", "distance_deg", "origin"),
-    *("used_axial_deg", "used_axial_isb_deg"),
+    *("used_axial_deg", "used_axial_isb_deg", "used_shrug_deg", "used_protraction_deg"),
 ]
 
 

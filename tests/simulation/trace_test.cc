@@ -37,7 +37,8 @@ TEST(Trace, EveryRowHasTheColumnsOfTheHeader) {
   EXPECT_TRUE(
       header.starts_with("time_s,elevation_deg,plane_deg,axial_deg,shrug_deg,protraction_deg,"
                          "used_elevation_deg,used_plane_deg,distance_deg,used_axial_deg,"
-                         "used_axial_isb_deg,target_sc_protraction_deg"));
+                         "used_axial_isb_deg,used_shrug_deg,used_protraction_deg,"
+                         "target_sc_protraction_deg"));
 }
 
 TEST(Trace, HasCommandsAndDistanceInDegrees) {
@@ -46,13 +47,15 @@ TEST(Trace, HasCommandsAndDistanceInDegrees) {
   state.command =
       ReplayableCommand({RadiansFromDegrees(90), RadiansFromDegrees(45), RadiansFromDegrees(22.5),
                          RadiansFromDegrees(11.25), RadiansFromDegrees(-45)});
-  state.used = ReplayableCommand(
-      {RadiansFromDegrees(22.5), RadiansFromDegrees(11.25), RadiansFromDegrees(5.625)});
+  state.used = ReplayableCommand({RadiansFromDegrees(22.5), RadiansFromDegrees(11.25),
+                                  RadiansFromDegrees(5.625), RadiansFromDegrees(2.8125),
+                                  RadiansFromDegrees(-22.5)});
   state.distance_rad = RadiansFromDegrees(90);
   state.used_axial_isb_rad = RadiansFromDegrees(-45);
   std::string row;
   AppendTraceRow(row, state);
-  EXPECT_TRUE(row.starts_with("0.5,90,45,22.5,11.25,-45,22.5,11.25,90,5.625,-45,0,")) << row;
+  EXPECT_TRUE(row.starts_with("0.5,90,45,22.5,11.25,-45,22.5,11.25,90,5.625,-45,2.8125,-22.5,0,"))
+      << row;
 }
 
 TEST(Trace, TakesNoMoreThanItsSizeSays) {

@@ -9,8 +9,9 @@ namespace girdle::near_names_test {
 namespace {
 
 TEST(IsNearly, IsTrueOfTheSameStemWithAnotherUnitOrNone) {
-  for (const char* const name : {"axial", "Axial", "AXIAL_DEG", "axial_rad", "axial (deg)",
-                                 "axialDegrees", "axials", "axial_"}) {
+  for (const char* const name :
+       {"axial", "Axial", "AXIAL_DEG", "axial_rad", "axial (deg)", "axialDegrees", "axial_degree",
+        "axial_radian", "axials", "axial_"}) {
     EXPECT_TRUE(IsNearly(name, "axial_deg")) << name;
   }
   EXPECT_TRUE(IsNearly("time", "time_s"));

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "commands/named_files.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <system_error>
+
+#include "text/input_error.h"
+
+namespace girdle {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kStandardStream = "-";
+
+// Where a file is, of which nothing has to be there.
+fs::path PlaceOf(const NamedFile& file, const char* standard_stream) {
+  std::error_code unclear;
+  return file.path == kStandardStream ? fs::path(standard_stream)
+                                      : fs::absolute(file.path, unclear);
+}
+fs::path PlaceOfWritten(const NamedFile& file) { return PlaceOf(file, "/dev/stdout"); }
+fs::path PlaceOfRead(const NamedFile& file) { return PlaceOf(file, "/dev/stdin"); }
+
+// As a person typed it.
+std::string TypedText(const NamedFile& file, const char* standard_stream) {
+  return file.path == kStandardStream ? standard_stream : file.option + " " + file.path;
+}
+
+// Whether two places, of which neither has to be there, are one.
+bool IsOnePlace(const fs::path& a, const fs::path& b) {
+  std::error_code unclear;
+  if (fs::exists(a, unclear) && fs::exists(b, unclear)) {
+    return fs::equivalent(a, b, unclear);
+  }
+  const fs::path place_a = fs::weakly_canonical(a, unclear);
+  const fs::path place_b = fs::weakly_canonical(b, unclear);
+  return !unclear && place_a == place_b;
+}
+
+// Throws unless what is written is another file than one that is read.
+void ExpectNotRead(const NamedFile& written, const NamedFile& read) {
+  const fs::path source = PlaceOfRead(read);
+  std::error_code unclear;
+  if (fs::is_regular_file(source, unclear) && IsOnePlace(PlaceOfWritten(written), source)) {
+    throw InputError(TypedText(written, "standard output") + ": would replace " +
+                     TypedText(read, "standard input") + ", the same file, which is read. Give " +
+                     written.option + " another place");
+  }
+}
+
+// Throws unless two files that are written are two.
+void ExpectTwo(const NamedFile& first, const NamedFile& second) {
+  const fs::path place = PlaceOfWritten(first);
+  std::error_code unclear;
+  const bool is_device = fs::exists(place, unclear) && !fs::is_regular_file(place, unclear);
+  if (!is_device && IsOnePlace(place, PlaceOfWritten(second))) {
+    throw InputError(first.option + " and " + second.option + " both want " +
+                     (second.path == kStandardStream ? first : second).path +
+                     ". Give each a file of its own");
+  }
+}
+
+}  // namespace
+
+void ExpectFilesApart(const std::vector<NamedFile>& written, const std::vector<NamedFile>& read) {
+  for (std::size_t i = 0; i < written.size(); ++i) {
+    if (written[i].path.empty()) {
+      continue;
+    }
+    for (const NamedFile& source : read) {
+      if (!source.path.empty()) {
+        ExpectNotRead(written[i], source);
+      }
+    }
+    for (std::size_t j = i + 1; j < written.size(); ++j) {
+      if (!written[j].path.empty()) {
+        ExpectTwo(written[i], written[j]);
+      }
+    }
+  }
+}
+
+}  // namespace girdle

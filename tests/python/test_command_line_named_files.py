@@ -1,0 +1,112 @@
+# SPDX-FileCopyrightText: 2026 The Girdle authors
+# SPDX-License-Identifier: Apache-2.0
+"""No verb writes over a file that it reads, whatever the file is called."""
+
+from __future__ import annotations
+
+import re
+import shutil
+from pathlib import Path
+
+import pytest
+from conftest import MODEL_FILE, SCENE_FILE, Girdle, Refuses
+from reference_rhythm import DATABASE
+
+MOTION = "time_s,elevation_deg,plane_deg\n0,20,40\n0.01,21,40\n"
+LANDMARKS = DATABASE.parent / "landmarks.csv"
+ELLIPSOIDS = DATABASE.parent / "thorax_ellipsoids.csv"
+
+
+@pytest.fixture(autouse=True)
+def _folder(tmp_path: Path, generated: Path) -> None:
+    """Files of every kind that is read, and other names of some."""
+    for name in (MODEL_FILE, SCENE_FILE):
+        shutil.copy(generated / name, tmp_path)
+    (tmp_path / "motion.csv").write_text(MOTION)
+    shutil.copy(DATABASE, tmp_path / "table.csv")
+    shutil.copy(LANDMARKS, tmp_path / "landmarks.csv")
+    shutil.copy(ELLIPSOIDS, tmp_path / "ellipsoids.csv")
+    (tmp_path / "link.csv").symlink_to("motion.csv")
+    (tmp_path / "hard.csv").hardlink_to(tmp_path / "motion.csv")
+    (tmp_path / "link.png").symlink_to(SCENE_FILE)
+    (tmp_path / "my").mkdir()
+    shutil.copy(DATABASE, tmp_path / "my" / MODEL_FILE)
+
+
+SIMULATE = ("simulate", SCENE_FILE, "--motion", "motion.csv")
+POSE = ("solve", "--elevation=60", "--plane=40")
+
+
+@pytest.mark.parametrize(
+    ("words", "written", "read"),
+    [
+        ((*SIMULATE, "--trace", "motion.csv"), "--trace motion.csv", "--motion motion.csv"),
+        ((*SIMULATE, "--trace", "./my/../motion.csv"), "--trace ./my/../motion.csv", "--motion"),
+        ((*SIMULATE, "--trace", "link.csv"), "--trace link.csv", "--motion motion.csv"),
+        ((*SIMULATE, "--trace", "hard.csv"), "--trace hard.csv", "--motion motion.csv"),
+        ((*SIMULATE, "--trace", SCENE_FILE), f"--trace {SCENE_FILE}", f"the model {SCENE_FILE}"),
+        ((*SIMULATE, "--controls", "link.csv"), "--controls link.csv", "--motion motion.csv"),
+        ((*SIMULATE, "--picture", "link.png"), "--picture link.png", f"the model {SCENE_FILE}"),
+        (
+            (*SIMULATE, "--table", "table.csv", "--trace", "table.csv"),
+            "--trace table.csv",
+            "--table table.csv",
+        ),
+        (("solve", "--in", "motion.csv", "--out", "link.csv"), "--out link.csv", "--in motion.csv"),
+        ((*POSE, "--table", "table.csv", "--out", "table.csv"), "--out table.csv", "--table table.csv"),
+        (
+            (*POSE, "--landmarks", "--anatomy", "landmarks.csv", "--out", "landmarks.csv"),
+            "--out landmarks.csv",
+            "--anatomy landmarks.csv",
+        ),
+        (
+            (*POSE, "--landmarks", "--thorax", "ellipsoids.csv", "--out", "ellipsoids.csv"),
+            "--out ellipsoids.csv",
+            "--thorax ellipsoids.csv",
+        ),
+        (
+            ("render", SCENE_FILE, "--out", "link.png"),
+            "--out link.png",
+            f"the model {SCENE_FILE}",
+        ),
+        (("destep", "--in", "table.csv", "--out", "table.csv"), "--out table.csv", "--in table.csv"),
+        (
+            ("compare", "--table", "table.csv", "--out", "./table.csv"),
+            "--out ./table.csv",
+            "--table table.csv",
+        ),
+        (
+            ("thorax", "--anatomy", "landmarks.csv", "--out", "landmarks.csv"),
+            "--out landmarks.csv",
+            "--anatomy landmarks.csv",
+        ),
+        (
+            ("generate", "--table", f"my/{MODEL_FILE}", "--out", "my"),
+            f"--out my/{MODEL_FILE}",
+            f"--table my/{MODEL_FILE}",
+        ),
+    ],
+    ids=lambda value: " ".join(value) if isinstance(value, tuple) else "",
+)
+def test_an_output_that_is_an_input_is_refused(
+    refuses: Refuses, words: tuple[str, ...], written: str, read: str
+) -> None:
+    because = (f"^girdle: {re.escape(written)}: would replace {re.escape(read)}", "another place$")
+    message = refuses(*words, because=because)
+    assert message.count("\n") == 1
+
+
+def test_standard_output_that_leads_to_the_input_is_refused(girdle: Girdle, tmp_path: Path) -> None:
+    """As with >>: a file that is read while it grows has no end."""
+    with (tmp_path / "motion.csv").open("ab") as appended:
+        finished = girdle("solve", "--in", "motion.csv", stdout=appended)
+    assert finished.code == 2
+    assert finished.message.startswith("girdle: standard output: would replace --in motion.csv, ")
+    assert (tmp_path / "motion.csv").read_text() == MOTION
+
+
+def test_other_files_and_devices_are_written(girdle_fine: Girdle, tmp_path: Path) -> None:
+    """A file of the name of a built-in table is no table that is read."""
+    girdle_fine("solve", "--in", "motion.csv", "--table", "measured", "--out", "measured")
+    assert (tmp_path / "measured").is_file()
+    girdle_fine(*SIMULATE, "--trace", "/dev/null", "--controls", "/dev/null")
