@@ -51,7 +51,7 @@ void AddRhythmArguments(CLI::App& verb, RhythmArguments& arguments) {
       ->type_name("WORD");
   verb.add_option("--range", arguments.range,
                   "Outside the table: whole (default with smooth and exact: all that an arm can "
-                  "reach) or clamp (the table's nearest point)")
+                  "reach) or clamp (the table's nearest elevation and plane)")
       ->type_name("WORD");
 }
 

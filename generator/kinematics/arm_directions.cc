@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kinematics/direction_algebra.h"
+
 namespace girdle {
 
 double AngleFromRectangle(const ArmRectangle& rectangle, double elevation_rad,
@@ -25,17 +27,10 @@ double AngleFromRectangle(const ArmRectangle& rectangle, double elevation_rad,
   if (!(beyond > 0)) {
     return std::max({lowest - theta, theta - highest, 0.0});
   }
-  // The nearest direction lies on the edge plane, `beyond` away. Along it the cosine of the angle
-  // is cos(theta) cos(e) + sin(theta) sin(e) cos(beyond), largest at this elevation e.
-  const double along = std::atan2(std::sin(theta) * std::cos(beyond), std::cos(theta));
-  const double end = std::cos(along - lowest) < std::cos(along - highest) ? highest : lowest;
-  const double e = along > lowest && along < highest ? along : end;
-  const double sine_half_e = std::sin((theta - e) / 2);
-  const double sine_half_b = std::sin(beyond / 2);
-  // Haversine formula: precise for small angles.
-  const double h =
-      sine_half_e * sine_half_e + std::sin(theta) * std::sin(e) * sine_half_b * sine_half_b;
-  return 2 * std::asin(std::min(std::sqrt(h), 1.0));
+  // The nearest direction lies on the edge plane, `beyond` away.
+  const ArmDirectionOf<double> direction = {theta, rectangle.last_plane_rad + beyond};
+  return AngleBetween(direction,
+                      NearestOnPlane(direction, rectangle.last_plane_rad, lowest, highest));
 }
 
 }  // namespace girdle

@@ -8,6 +8,13 @@
 
 namespace girdle {
 
+/// A direction of the arm; T is a number or a jet.
+template <typename T>
+struct ArmDirectionOf {
+  T elevation_rad;
+  T plane_rad;
+};
+
 /// A rectangle of elevations and planes [rad].
 struct ArmRectangle {
   double lowest_elevation_rad;

@@ -4,10 +4,11 @@
 #include "kinematics/arm_reach.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 
+#include "kinematics/bump.h"
+#include "kinematics/direction_algebra.h"
 #include "kinematics/jet.h"
 
 namespace girdle {
@@ -29,30 +30,6 @@ constexpr double kWedgeFading_rad = 60 * kRadiansPerDegree;
 constexpr double kNearestUpTo_rad = 20 * kRadiansPerDegree;
 constexpr double kNearestFading_rad = 24 * kRadiansPerDegree;
 
-// Falls from 1 at 0 and below to 0 at 1 and above, twice continuously differentiable: 1 - 10 x^3 +
-// 15 x^4 - 6 x^5.
-template <typename T>
-T Bump(const T& x) noexcept {
-  if (!(ValueOf(x) > 0)) {
-    return T(1.0);
-  }
-  if (ValueOf(x) >= 1) {
-    return T(0.0);
-  }
-  return Polynomial(std::array{1.0, 0.0, 0.0, -10.0, 15.0, -6.0}, x);
-}
-
-// The angle between two directions: haversine formula, precise for small angles.
-template <typename T>
-T AngleBetween(const ArmDirectionOf<T>& a, const ArmDirectionOf<T>& b) noexcept {
-  const T half_elevation = SineAndCosineOf(T(0.5 * (a.elevation_rad - b.elevation_rad))).sine;
-  const T half_plane = SineAndCosineOf(T(0.5 * (a.plane_rad - b.plane_rad))).sine;
-  const T h = half_elevation * half_elevation + SineAndCosineOf(a.elevation_rad).sine *
-                                                    SineAndCosineOf(b.elevation_rad).sine *
-                                                    half_plane * half_plane;
-  return 2.0 * Atan2(Sqrt(h), Sqrt(T(1.0) - h));
-}
-
 ArmDirectionOf<double> ValuesOf(const ArmDirectionOf<double>& direction) noexcept {
   return direction;
 }
@@ -65,23 +42,6 @@ ArmDirectionOf<double> ValuesOf(const ArmDirectionOf<Jet<double, Order>>& direct
 template <typename T>
 T Turned(const T& plane_rad) noexcept {
   return ValueOf(plane_rad) < kMiddlePlane_rad ? plane_rad + T(2 * kPi) : plane_rad;
-}
-
-// The direction of a piece of a plane that is nearest.
-template <typename T>
-ArmDirectionOf<T> OnPlane(const ArmDirectionOf<T>& direction, double plane_rad, double lowest_rad,
-                          double highest_rad) noexcept {
-  // Along the plane the cosine of the angle is cos(theta) cos(e) + sin(theta) sin(e) cos(beyond),
-  // largest at this elevation e.
-  const auto [sine, cosine] = SineAndCosineOf(direction.elevation_rad);
-  const T beyond = SineAndCosineOf(T(direction.plane_rad - T(plane_rad))).cosine;
-  const T along = Atan2(T(sine * beyond), cosine);
-  const double e = ValueOf(along);
-  if (e >= lowest_rad && e <= highest_rad) {
-    return {along, T(plane_rad)};
-  }
-  const bool is_lowest_nearer = std::cos(e - lowest_rad) > std::cos(e - highest_rad);
-  return {T(is_lowest_nearer ? lowest_rad : highest_rad), T(plane_rad)};
 }
 
 }  // namespace
@@ -155,9 +115,9 @@ template <typename T>
 ArmDirectionOf<T> ArmReach::FootOn(Piece piece, const ArmDirectionOf<T>& direction) const noexcept {
   switch (piece) {
     case Piece::kInFront:
-      return OnPlane(direction, kLastPlane_rad, 0, kPi);
+      return NearestOnPlane(direction, kLastPlane_rad, 0, kPi);
     case Piece::kBehind:
-      return OnPlane(direction, kFirstPlane_rad, 0, corner_elevation_rad_);
+      return NearestOnPlane(direction, kFirstPlane_rad, 0, corner_elevation_rad_);
     case Piece::kBelow: {
       // Behind the circle's centre its lowest elevation is the limit.
       const bool is_beside = ValueOf(direction.plane_rad) >= kFirstPlane_rad &&
@@ -165,7 +125,7 @@ ArmDirectionOf<T> ArmReach::FootOn(Piece piece, const ArmDirectionOf<T>& directi
       return {T(corner_elevation_rad_), is_beside ? direction.plane_rad : T(kFirstPlane_rad)};
     }
     case Piece::kAbove:
-      return OnPlane(direction, free_plane_rad_, touch_elevation_rad_, kPi);
+      return NearestOnPlane(direction, free_plane_rad_, touch_elevation_rad_, kPi);
     case Piece::kCircle:
       break;
   }

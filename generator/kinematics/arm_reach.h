@@ -4,16 +4,10 @@
 /// The directions that an arm reaches, and which of them answers a direction that it does not.
 #pragma once
 
+#include "kinematics/arm_directions.h"
 #include "kinematics/rotation.h"
 
 namespace girdle {
-
-/// A direction of the arm; T is a number or a jet.
-template <typename T>
-struct ArmDirectionOf {
-  T elevation_rad;
-  T plane_rad;
-};
 
 /// The reach on the sphere of directions, from hanging (elevation 0) to straight up (180):
 ///

@@ -15,7 +15,8 @@
 /// T is double or a Jet of jet.h, whose derivatives go through.
 #pragma once
 
-#include "kinematics/arm_reach.h"
+#include "kinematics/arm_directions.h"
+#include "kinematics/bump.h"
 #include "kinematics/humerus_rotation.h"
 #include "kinematics/rotation_algebra.h"
 
@@ -43,18 +44,31 @@ template <typename T>
 ///     M S(from) Ry(T) = S(to) Ry(T + carried),   M ~ (1 + a.b, a x b), a and b the arm before and
 ///                                                after
 ///
-/// Opposite directions have no smallest rotation; the result is then any number.
+/// Opposite directions have no smallest rotation; the result is then any number, and round a
+/// direction that is answered by its opposite it grows by two turns. ShareOfCarried makes up for
+/// it.
 template <typename T>
 [[nodiscard]] T CarriedTurn(const ArmDirectionOf<T>& from, const ArmDirectionOf<T>& to) noexcept {
   const VectorOf<T> a = UpTheArm(from);
   const VectorOf<T> b = UpTheArm(to);
   const VectorOf<T> across = Cross(a, b);
-  const QuaternionOf<T> smallest{T(1.0) + (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]), across[0],
-                                 across[1], across[2]};
+  const QuaternionOf<T> smallest{T(1.0) + Dot(a, b), across[0], across[1], across[2]};
   const auto swing = [](const ArmDirectionOf<T>& direction) {
     return HumerusRotation(direction.elevation_rad, direction.plane_rad, T(0.0));
   };
   return TurnAboutY(Inverse(swing(to)) * smallest * swing(from));
+}
+
+/// Returns the share of a carried turn that counts, in [0, 1]: all of it while the direction that
+/// answers is at most 60 deg from the one that was asked for, and nothing where they are opposite.
+/// The humerus then does not depend on which way the smallest rotation takes it:
+///
+///     share = Bump((cos 60 - a.b) / (cos 60 + 1))
+template <typename T>
+[[nodiscard]] T ShareOfCarried(const ArmDirectionOf<T>& from,
+                               const ArmDirectionOf<T>& to) noexcept {
+  constexpr double kWholeFrom = 0.5;  // cos 60
+  return Bump(T((1 / (kWholeFrom + 1)) * (T(kWholeFrom) - Dot(UpTheArm(from), UpTheArm(to)))));
 }
 
 /// The middle of the reach, which swings start from.

@@ -168,6 +168,10 @@ struct MovingRotation {
   VectorOf<L> w_2;
 };
 
+template <typename T>
+[[nodiscard]] T Dot(const VectorOf<T>& a, const VectorOf<T>& b) noexcept {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 template <typename L>
 [[nodiscard]] GIRDLE_INLINE VectorOf<L> Cross(const VectorOf<L>& a, const VectorOf<L>& b) noexcept {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};

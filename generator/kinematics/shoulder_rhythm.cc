@@ -32,6 +32,13 @@ double Bounded(double angle_rad, double added_rad, const CoordinateRange& range)
                     std::max(range.upper_rad - angle_rad, 0.0));
 }
 
+// A number that has been brought to a bound, or is what it was. A bound does not change with the
+// command.
+template <typename T>
+T BoundedTo(double bounded, const T& x) noexcept {
+  return ValueOf(x) == bounded ? x : T(bounded);
+}
+
 // One of the parts of a rotation's jets.
 template <typename L, int Order>
 QuaternionOf<L> Part(const QuaternionOf<Jet<L, Order>>& q, JetPart part) noexcept {
@@ -156,9 +163,13 @@ QuaternionOf<Jet<double, Order>> WithAxialOf(const QuaternionOf<Jet<double, Orde
 void CheckPlanes(const ArmRectangle& table) {
   for (const double plane_rad : {table.first_plane_rad, table.last_plane_rad}) {
     if (plane_rad < ArmReach::kFirstPlane_rad || plane_rad > ArmReach::kLastPlane_rad) {
+      const auto whole_deg = [](double limit_rad) {
+        return std::to_string(std::lround(DegreesFromRadians(limit_rad)));
+      };
       throw std::invalid_argument(
           "the table's plane " + std::to_string(DegreesFromRadians(plane_rad)) +
-          " deg is beyond what an arm reaches, -95 to 135 deg. Choose the range clamp");
+          " deg is beyond what an arm reaches, " + whole_deg(ArmReach::kFirstPlane_rad) + " to " +
+          whole_deg(ArmReach::kLastPlane_rad) + " deg. Choose the range clamp");
     }
   }
 }
@@ -229,28 +240,33 @@ double ShoulderRhythm::PlaneOnChart(double plane_rad) const noexcept {
 }
 
 template <typename T>
-ArmDirectionOf<T> ShoulderRhythm::UsedFor(const ArmDirectionOf<T>& direction) const noexcept {
-  // A bound does not change with the command.
-  const auto bounded = [](const T& x, double bound) { return ValueOf(x) == bound ? x : T(bound); };
-  const double elevation_rad = Clamped(ValueOf(direction.elevation_rad),
-                                       domain_.lowest_elevation_rad, domain_.highest_elevation_rad);
+ArmDirectionOf<T> ShoulderRhythm::AskedDirection(
+    const ArmDirectionOf<T>& direction) const noexcept {
+  const double elevation_rad = Clamped(ValueOf(direction.elevation_rad), 0, kPi);
   const double plane_rad = ValueOf(direction.plane_rad);
   const double chart_rad = PlaneOnChart(plane_rad);
-  const double lowest_rad = LowestPlaneAt(elevation_rad);
-  ArmDirectionOf<T> used = {bounded(direction.elevation_rad, elevation_rad), T(lowest_rad)};
-  if (!std::isfinite(chart_rad)) {
-    return used;
-  }
   // A sum whose value is that of the chart, to the last bit.
-  used.plane_rad = T(chart_rad) + (direction.plane_rad - T(plane_rad));
-  if (chart_rad >= lowest_rad && chart_rad <= domain_.last_plane_rad) {
+  const T asked_plane_rad = std::isfinite(chart_rad)
+                                ? T(T(chart_rad) + (direction.plane_rad - T(plane_rad)))
+                                : T(LowestPlaneAt(elevation_rad));
+  return {BoundedTo(elevation_rad, direction.elevation_rad), asked_plane_rad};
+}
+
+template <typename T>
+ArmDirectionOf<T> ShoulderRhythm::AnswerTo(const ArmDirectionOf<T>& asked) const noexcept {
+  const double elevation_rad = std::clamp(
+      ValueOf(asked.elevation_rad), domain_.lowest_elevation_rad, domain_.highest_elevation_rad);
+  const double plane_rad = ValueOf(asked.plane_rad);
+  const double lowest_rad = LowestPlaneAt(elevation_rad);
+  ArmDirectionOf<T> used = {BoundedTo(elevation_rad, asked.elevation_rad), asked.plane_rad};
+  if (plane_rad >= lowest_rad && plane_rad <= domain_.last_plane_rad) {
     return used;
   }
   if (options_.range == Range::kWhole) {
     return reach_.AnswerTo(used);
   }
   used.plane_rad =
-      bounded(used.plane_rad, std::clamp(chart_rad, lowest_rad, domain_.last_plane_rad));
+      BoundedTo(std::clamp(plane_rad, lowest_rad, domain_.last_plane_rad), used.plane_rad);
   return used;
 }
 
@@ -333,24 +349,6 @@ bool ShoulderRhythm::KeepsGhWithin(const ShoulderPose& pose,
 }
 
 template <typename T>
-ArmDirectionOf<T> ShoulderRhythm::AskedDirection(const ArmDirectionOf<T>& direction,
-                                                 const ArmDirectionOf<T>& used) const noexcept {
-  ArmDirectionOf<T> asked = used;
-  const double elevation_rad = ValueOf(direction.elevation_rad);
-  if (!std::isnan(elevation_rad)) {
-    const double on_sphere_rad = std::clamp(elevation_rad, 0.0, kPi);
-    asked.elevation_rad =
-        on_sphere_rad == elevation_rad ? direction.elevation_rad : T(on_sphere_rad);
-  }
-  const double plane_rad = ValueOf(direction.plane_rad);
-  const double chart_rad = PlaneOnChart(plane_rad);
-  if (std::isfinite(chart_rad)) {
-    asked.plane_rad = T(chart_rad) + (direction.plane_rad - T(plane_rad));
-  }
-  return asked;
-}
-
-template <typename T>
 T ShoulderRhythm::ZeroOf(AxialFrom zero, const ArmDirectionOf<T>& asked,
                          const ArmDirectionOf<T>& used, const T& tau_rad) const noexcept {
   switch (zero) {
@@ -375,20 +373,41 @@ double ShoulderRhythm::WholeTurnOf(const ShoulderPose& pose,
   return std::remainder(TurnAboutY<double>({turn.w, turn.x, turn.y, turn.z}), 2 * kPi);
 }
 
+template <typename T>
+T ShoulderRhythm::ShareOf(AxialFrom zero, const ArmDirectionOf<T>& asked,
+                          const ArmDirectionOf<T>& used) noexcept {
+  return zero == AxialFrom::kIsb ? ShareOfCarried(asked, used) : T(1.0);
+}
+
+template <typename T>
+T ShoulderRhythm::AxialFromRhythm(const ArmCommand& command, const ArmDirectionOf<T>& asked,
+                                  const ArmDirectionOf<T>& used,
+                                  const OwnTurnOf<T>& own) const noexcept {
+  if (command.axial_from == AxialFrom::kRhythm) {
+    return T(command.axial_rad);
+  }
+  const T turn_rad =
+      ZeroOf(command.axial_from, asked, used, own.tau_rad) - own.tau_rad + T(command.axial_rad);
+  // Of all whole turns the one that takes GH nearest to the middle of its range.
+  const double value_rad = ValueOf(turn_rad);
+  const double nearest_rad =
+      std::remainder(own.gh_from_middle_rad + value_rad, 2 * kPi) - own.gh_from_middle_rad;
+  return ShareOf(command.axial_from, asked, used) * (T(nearest_rad) + (turn_rad - T(value_rad)));
+}
+
+ShoulderRhythm::OwnTurnOf<double> ShoulderRhythm::OwnTurn(
+    const ArmDirectionOf<double>& used) const noexcept {
+  const ShoulderPose rhythm = RhythmPoseFor(used.elevation_rad, used.plane_rad);
+  return {WholeTurnOf(rhythm, used), AnglesFromPose(rhythm)[kGhAxialIndex] - kGhAxialMiddle_rad};
+}
+
 double ShoulderRhythm::AxialFromRhythm(const ArmCommand& command,
+                                       const ArmDirectionOf<double>& asked,
                                        const ArmDirectionOf<double>& used) const noexcept {
   if (command.axial_from == AxialFrom::kRhythm) {
     return command.axial_rad;
   }
-  const ShoulderPose rhythm = RhythmPoseFor(used.elevation_rad, used.plane_rad);
-  const double tau_rad = WholeTurnOf(rhythm, used);
-  const ArmDirectionOf<double> asked =
-      AskedDirection<double>({command.elevation_rad, command.plane_rad}, used);
-  const double zero_rad = ZeroOf(command.axial_from, asked, used, tau_rad);
-  // Of all whole turns the one that GH comes nearest to.
-  const double from_middle_rad = AnglesFromPose(rhythm)[kGhAxialIndex] - kGhAxialMiddle_rad;
-  return std::remainder(from_middle_rad + zero_rad + command.axial_rad - tau_rad, 2 * kPi) -
-         from_middle_rad;
+  return AxialFromRhythm(command, asked, used, OwnTurn(used));
 }
 
 double ShoulderRhythm::AxialCountedFrom(AxialFrom zero, const ArmCommand& command) const noexcept {
@@ -399,11 +418,18 @@ double ShoulderRhythm::AxialCountedFrom(AxialFrom zero, const ArmCommand& comman
   if (zero == AxialFrom::kRhythm) {
     return within.axial_rad;
   }
-  const ArmDirectionOf<double> used = {within.elevation_rad, within.plane_rad};
   const ArmDirectionOf<double> asked =
-      AskedDirection<double>({command.elevation_rad, command.plane_rad}, used);
-  const double tau_rad = WholeTurnOf(RhythmPoseFor(used.elevation_rad, used.plane_rad), used);
-  return within.axial_rad + tau_rad - ZeroOf(zero, asked, used, tau_rad);
+      AskedDirection<double>({command.elevation_rad, command.plane_rad});
+  const ArmDirectionOf<double> used = {within.elevation_rad, within.plane_rad};
+  const OwnTurnOf<double> own = OwnTurn(used);
+  const double share = ShareOf(zero, asked, used);
+  // Not so far that rounding takes it over to the other end.
+  constexpr double kMost_rad = kPi - 1e-9;
+  const double turn_rad =
+      share < 1 ? Clamped(within.axial_rad / share, -kMost_rad - own.gh_from_middle_rad,
+                          kMost_rad - own.gh_from_middle_rad)
+                : within.axial_rad;
+  return turn_rad + own.tau_rad - ZeroOf(zero, asked, used, own.tau_rad);
 }
 
 double ShoulderRhythm::AxialOf(AxialFrom zero, const ShoulderPose& pose,
@@ -416,9 +442,11 @@ double ShoulderRhythm::AxialOf(AxialFrom zero, const ShoulderPose& pose,
 }
 
 ArmCommand ShoulderRhythm::WithinRange(const ArmCommand& command) const noexcept {
-  const ArmDirectionOf<double> used =
-      UsedFor(ArmDirectionOf<double>{command.elevation_rad, command.plane_rad});
-  const double axial_rad = std::isfinite(command.axial_rad) ? AxialFromRhythm(command, used) : 0.0;
+  const ArmDirectionOf<double> asked =
+      AskedDirection<double>({command.elevation_rad, command.plane_rad});
+  const ArmDirectionOf<double> used = AnswerTo(asked);
+  const double axial_rad =
+      std::isfinite(command.axial_rad) ? AxialFromRhythm(command, asked, used) : 0.0;
   return {used.elevation_rad, used.plane_rad, axial_rad, FiniteOrZero(command.shrug_rad),
           FiniteOrZero(command.protraction_rad)};
 }
@@ -478,9 +506,12 @@ ShoulderPose ShoulderRhythm::SolvePose(const ArmCommand& command,
 bool ShoulderRhythm::IsClamped(const ArmCommand& command, const ArmCommand& used) const noexcept {
   ArmCommand same_plane = command;
   if (command.axial_from != AxialFrom::kRhythm) {
-    same_plane.axial_rad = std::isfinite(command.axial_rad)
-                               ? AxialFromRhythm(command, {used.elevation_rad, used.plane_rad})
-                               : command.axial_rad;
+    const ArmDirectionOf<double> asked =
+        AskedDirection<double>({command.elevation_rad, command.plane_rad});
+    same_plane.axial_rad =
+        std::isfinite(command.axial_rad)
+            ? AxialFromRhythm(command, asked, {used.elevation_rad, used.plane_rad})
+            : command.axial_rad;
     same_plane.axial_from = AxialFrom::kRhythm;
   }
   const bool is_hanging = command.elevation_rad == 0 && used.elevation_rad == 0;
@@ -514,7 +545,8 @@ ShoulderRhythm::Jets<Order> ShoulderRhythm::JetsFor(const ArmCommand& command) c
   ArmDirectionOf<Scalar> direction = {Scalar(command.elevation_rad), Scalar(command.plane_rad)};
   direction.elevation_rad.part[kByElevation] = 1;
   direction.plane_rad.part[kByPlane] = 1;
-  const ArmDirectionOf<Scalar> answer = UsedFor(direction);
+  const ArmDirectionOf<Scalar> asked = AskedDirection(direction);
+  const ArmDirectionOf<Scalar> answer = AnswerTo(asked);
   const double elevation_rad = ValueOf(answer.elevation_rad);
   const double plane_rad = ValueOf(answer.plane_rad);
   ArmCommand used = command;
@@ -554,9 +586,9 @@ ShoulderRhythm::Jets<Order> ShoulderRhythm::JetsFor(const ArmCommand& command) c
     tau_rad = Chained(tau_rad, answer);
   }
   if (command.axial_from != AxialFrom::kRhythm && std::isfinite(command.axial_rad)) {
-    const Scalar zero_rad =
-        ZeroOf(command.axial_from, AskedDirection(direction, answer), answer, tau_rad);
-    jets.q_SH = WithAxialOf(jets.q_SH, zero_rad - tau_rad, used, wanted, ranges_);
+    const OwnTurnOf<Scalar> own = {tau_rad, OwnTurn({elevation_rad, plane_rad}).gh_from_middle_rad};
+    jets.q_SH =
+        WithAxialOf(jets.q_SH, AxialFromRhythm(command, asked, answer, own), used, wanted, ranges_);
   } else if (used.axial_rad != 0) {
     jets.q_SH = WithAxialOf(jets.q_SH, Scalar(used.axial_rad), used, wanted, ranges_);
   }
@@ -564,7 +596,7 @@ ShoulderRhythm::Jets<Order> ShoulderRhythm::JetsFor(const ArmCommand& command) c
 }
 
 // With closure exact, d the direction of the arm and n = (-cos psi, 0, sin psi) the axis that it is
-// raised about, q_TH = S Ry(tau) of arm_directions.h turns by
+// raised about, q_TH = S Ry(tau) of humerus_rotation.h turns by
 //   w_TH = n + dtau/dtheta (-d) with theta,   w_TH = y + (dtau/dpsi - 1) (-d) with psi,
 // and w_SH = q_TS^-1 (w_TH - w_TS), w_TS = w_TC + q_TC w_CS.
 ShoulderRates ShoulderRhythm::PlainRates(double elevation_rad, double plane_rad) const noexcept {

@@ -42,7 +42,7 @@ enum class Closure {
 /// What happens outside the table.
 enum class Range {
   kWhole,  ///< all that an arm can reach (arm_reach.h), by the rule of smooth_rhythm.h
-  kClamp,  ///< the table's nearest point answers
+  kClamp,  ///< the table's nearest elevation answers, and its nearest plane
 };
 
 /// What an axial turn is counted from: which humerus of a direction has axial 0 (axial_zero.h).
@@ -104,8 +104,9 @@ constexpr const auto& WordsOf(Origin /*which*/) noexcept { return kOriginNames; 
 /// Result of the inverse kinematics. "Not reached" is part of it, not an error.
 struct ShoulderSolution {
   ShoulderPose pose;
-  /// The command that the pose answers: the nearest in the range and, for axial, shrug and
-  /// protraction, in the joints' ranges. Its axial turn is counted from the rhythm's own.
+  /// The command that the pose answers: a direction in the range (ArmReach says which one) and, for
+  /// axial, shrug and protraction, what the joints' ranges allow. Its axial turn is counted from
+  /// the rhythm's own.
   ArmCommand used;
   /// ShoulderRhythm::IsClamped of the two.
   bool clamped;
@@ -179,9 +180,18 @@ class ShoulderRhythm {
   ///
   /// Where a direction is answered by another one, an axial turn from the rhythm's or the swing's
   /// zero stays the number that it is, and one from ISB's is carried: the humerus that was asked
-  /// for is taken to the direction that answers by the smallest rotation. Of the turns that differ
-  /// by 360 deg, one from ISB's or the swing's zero is that for which GH's axial coordinate is
-  /// within half a turn of kGhAxialMiddle_rad.
+  /// for is taken to the direction that answers by the smallest rotation. Of a carried turn,
+  /// counted from the rhythm's own, ShareOfCarried of axial_zero.h counts, all of it up to 60 deg
+  /// away.
+  ///
+  /// An axial turn from the rhythm's zero is a number: what is beyond GH's range is answered by its
+  /// nearer end. One from ISB's or the swing's is an angle of the humerus, of which data write 350
+  /// for -10: of the turns that differ by 360 deg it is that for which GH's axial coordinate is
+  /// within half a turn of kGhAxialMiddle_rad. An angle cannot be brought to a range without a
+  /// jump. There is one, where GH's axial coordinate would be 135 or, the same, -225 deg: the
+  /// answer passes from one end of GH's range to the other, with the built-in ranges by 240 deg,
+  /// and by the share of that which counts. Everywhere else, and with the rhythm's zero everywhere,
+  /// the answer of the range whole to commands without offsets is continuous.
   ///
   /// With squad or slerp: equations (4) to (12). Offsets turn the clavicle's angles; the scapula
   /// keeps its place on the clavicle, and with closure exact the arm its direction.
@@ -193,6 +203,7 @@ class ShoulderRhythm {
 
   /// The axial turn that a command asks for [rad], counted from another zero where the command is
   /// answered: ISB's from the plane of the command, the others from the direction that answers it.
+  /// Where a share of ISB's counts and no turn gives as much, it is the one that gives most.
   [[nodiscard]] double AxialCountedFrom(AxialFrom zero, const ArmCommand& command) const noexcept;
 
   /// The axial turn that a pose has [rad], in [-pi, pi], counted from a zero; `used` is the command
@@ -250,9 +261,13 @@ class ShoulderRhythm {
   }
   /// The plane within half a turn of the middle of the domain; NaN for what is not finite.
   [[nodiscard]] double PlaneOnChart(double plane_rad) const noexcept;
-  /// The direction that answers one; T is double or a Jet, whose derivatives go through.
+  /// The direction asked for as one of the sphere: an elevation in [0, pi], the plane on the chart,
+  /// both finite. T is double or a Jet, whose derivatives go through.
   template <typename T>
-  [[nodiscard]] ArmDirectionOf<T> UsedFor(const ArmDirectionOf<T>& direction) const noexcept;
+  [[nodiscard]] ArmDirectionOf<T> AskedDirection(const ArmDirectionOf<T>& direction) const noexcept;
+  /// The direction of the range that answers it.
+  template <typename T>
+  [[nodiscard]] ArmDirectionOf<T> AnswerTo(const ArmDirectionOf<T>& asked) const noexcept;
   /// The rates within the table, without offsets or axial turn.
   [[nodiscard]] ShoulderRates PlainRates(double elevation_rad, double plane_rad) const noexcept;
   /// Whether WithinRange would change nothing, for most commands within the table.
@@ -261,11 +276,6 @@ class ShoulderRhythm {
            command.shrug_rad == 0 && command.protraction_rad == 0 &&
            command.axial_from == AxialFrom::kRhythm;
   }
-  /// The direction asked for as one of the sphere: an elevation in [0, pi], the plane on the chart;
-  /// `used` where a number is not finite.
-  template <typename T>
-  [[nodiscard]] ArmDirectionOf<T> AskedDirection(const ArmDirectionOf<T>& direction,
-                                                 const ArmDirectionOf<T>& used) const noexcept;
   /// T_0 of axial_zero.h for a direction that is asked for and the one that answers it, at which
   /// the rhythm's own turn is tau [rad].
   template <typename T>
@@ -274,8 +284,24 @@ class ShoulderRhythm {
   /// The whole turn of a pose for a direction [rad], in [-pi, pi].
   [[nodiscard]] double WholeTurnOf(const ShoulderPose& pose,
                                    const ArmDirectionOf<double>& used) const noexcept;
-  /// Of a command whose axial turn is finite, counted from the rhythm's own [rad].
+  /// The share of an axial turn that counts, where `used` answers the direction asked for.
+  template <typename T>
+  [[nodiscard]] static T ShareOf(AxialFrom zero, const ArmDirectionOf<T>& asked,
+                                 const ArmDirectionOf<T>& used) noexcept;
+  /// The humerus's turn without an axial one.
+  template <typename T>
+  struct OwnTurnOf {
+    T tau_rad;                  ///< whole turn
+    double gh_from_middle_rad;  ///< GH's axial coordinate from kGhAxialMiddle_rad
+  };
+  [[nodiscard]] OwnTurnOf<double> OwnTurn(const ArmDirectionOf<double>& used) const noexcept;
+  /// The axial turn of a command counted from the rhythm's own [rad]; it is finite in the command.
+  template <typename T>
+  [[nodiscard]] T AxialFromRhythm(const ArmCommand& command, const ArmDirectionOf<T>& asked,
+                                  const ArmDirectionOf<T>& used,
+                                  const OwnTurnOf<T>& own) const noexcept;
   [[nodiscard]] double AxialFromRhythm(const ArmCommand& command,
+                                       const ArmDirectionOf<double>& asked,
                                        const ArmDirectionOf<double>& used) const noexcept;
   /// The direction that answers; the axial turn is counted from the rhythm's own.
   [[nodiscard]] ArmCommand WithinRange(const ArmCommand& command) const noexcept;

@@ -21,9 +21,9 @@ struct ShoulderState {
   JointAngles position_rad{};
   double fastest_rad_per_s = 0;  ///< of all hinges of the model
   double fastest_m_per_s = 0;    ///< of its slides
-  /// The command that was followed: the nearest within the controls' ranges and the rhythm's, its
-  /// axial turn counted from the rhythm's own. The plugin does not say how much of an offset that
-  /// is: it is what the rhythm of the simulation leaves of it there.
+  /// The command that was followed: that of ShoulderSolution::used for the command within the
+  /// controls' ranges, its axial turn counted from the rhythm's own. The plugin does not say how much
+  /// of an offset that is: it is what the rhythm of the simulation leaves of it there.
   ArmCommand used;
   double used_axial_isb_rad = 0;  ///< its axial turn as ISB's third angle
   bool clamped = false;           ///< another one than the command

@@ -12,7 +12,11 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <iterator>
 #include <limits>
+#include <optional>
+#include <ostream>
+#include <string>
 #include <vector>
 
 #include "kinematics/arm_commands.h"
@@ -214,30 +218,260 @@ TEST(AxialFromSwing, HasOneHumerusHangingAndStraightUp) {
       Apart_deg(Humerus(Whole(), Command_deg(180, 0)), Humerus(Whole(), Command_deg(180, 90))), 90);
 }
 
-// The largest turn of the humerus over a step of 0.001 deg along planes and elevations, beyond what
-// the reach's own answer moves.
-double FastestTurn_deg_per_deg(AxialFrom zero, double highest_deg) {
-  constexpr double kStep_deg = 1e-3;
-  double fastest = 0;
-  for (const double elevation_deg : Steps(0, highest_deg, 60)) {
-    for (const double plane_deg : Steps(-159.95, 199.95, 240)) {
-      const auto at = [&](double up, double across) {
-        return Humerus(Whole(), From(zero, Command_deg(elevation_deg + up * kStep_deg,
-                                                       plane_deg + across * kStep_deg, -40)));
-      };
-      const Quaternion here = at(0, 0);
-      fastest = std::max(
-          {fastest, Apart_deg(at(1, 0), here) / kStep_deg, Apart_deg(at(0, 1), here) / kStep_deg});
-    }
-  }
-  return fastest;
+// The humerus that a command asks for, and what its answer is beside it, from formulas of these
+// tests.
+struct Asked {
+  double gh_axial_deg;  // GH's axial coordinate of the humerus that is asked for, (-225, 135]
+  double own_deg;       // that of the rhythm's own
+  double share;         // of the turn from the rhythm's own that counts
+};
+
+Vector3 ArmOf(const Quaternion& q_TH) { return q_TH * Vector3(0, -1, 0); }
+
+// By the smallest rotation from where an axial turn is counted to where the arm is.
+Asked AskedOf(const ArmCommand& command, const ShoulderSolution& solution) {
+  const double axial_deg = DegreesFromRadians(command.axial_rad);
+  const Quaternion counted =
+      command.axial_from == AxialFrom::kIsb
+          ? FromIsb_deg(std::clamp(DegreesFromRadians(command.elevation_rad), 0.0, 180.0),
+                        DegreesFromRadians(command.plane_rad), axial_deg)
+          : FromIsb_deg(90, 20, axial_deg);
+  const ShoulderPose own = Whole().SolvePose(
+      {.elevation_rad = solution.used.elevation_rad, .plane_rad = solution.used.plane_rad});
+  const Vector3 before = ArmOf(counted);
+  const Vector3 after = ArmOf(own.q_TH());
+  const double cosine = glm::dot(before, after);
+  const Quaternion carry = glm::normalize(Quaternion(1 + cosine, glm::cross(before, after)));
+  ShoulderPose asked = own;
+  asked.q_SH = glm::conjugate(own.q_TS()) * (carry * counted);
+  const double x = std::max((0.5 - cosine) / 1.5, 0.0);
+  return {DegreesFromRadians(AnglesFromPose(asked)[kGhAxialIndex]),
+          DegreesFromRadians(AnglesFromPose(own)[kGhAxialIndex]),
+          command.axial_from == AxialFrom::kIsb ? 1 - x * x * x * (10 - 15 * x + 6 * x * x) : 1};
 }
 
-TEST(AxialFrom, IsAnsweredWithoutAJumpBeyondTheReach) {
-  // Steps of elevation of 1 and of plane of 1.5 deg meet the limits of the reach everywhere.
-  EXPECT_LT(FastestTurn_deg_per_deg(AxialFrom::kSwing, 180), 40);
-  // Opposite to where (117.5, -160) is answered, there is no smallest rotation.
-  EXPECT_LT(FastestTurn_deg_per_deg(AxialFrom::kIsb, 100), 40);
+// On plane -160 the answer of this elevation, and of no other, is opposite.
+constexpr double kOpposite_deg = 118;
+
+struct WalkCase {
+  const char* name;
+  AxialFrom zero;
+  const ShoulderRhythm& (*rhythm)();
+  double fastest;  // deg of a joint or of the humerus per degree of the command
+};
+
+void PrintTo(const WalkCase& walk, std::ostream* out) { *out << walk.name; }
+
+// Follows commands step by step. Where GH's axial coordinate that is asked for passes half a turn
+// from its middle the answer passes from one end to the other; everywhere else it does not jump.
+class Walk {
+ public:
+  Walk(AxialFrom zero, const ShoulderRhythm& rhythm) : zero_(zero), rhythm_(rhythm) {}
+
+  void Begin() { before_.reset(); }
+  void To(const ArmCommand& command) {
+    Step step{From(zero_, command), {}, 0};
+    step.solution = rhythm_.Solve(step.command);
+    step.gh_axial_deg =
+        zero_ == AxialFrom::kRhythm ? 0 : AskedOf(step.command, step.solution).gh_axial_deg;
+    if (before_) Add(*before_, step);
+    before_ = step;
+  }
+
+  [[nodiscard]] double fastest() const { return fastest_; }
+  [[nodiscard]] const ArmCommand& at() const { return at_; }
+  [[nodiscard]] int passed() const { return passed_; }
+
+ private:
+  struct Step {
+    ArmCommand command;
+    ShoulderSolution solution;
+    double gh_axial_deg;
+  };
+
+  void Add(const Step& a, const Step& b) {
+    if (std::abs(a.gh_axial_deg - b.gh_axial_deg) > 180) {
+      ++passed_;
+      return;
+    }
+    const double step_deg =
+        DegreesFromRadians(std::max({std::abs(a.command.elevation_rad - b.command.elevation_rad),
+                                     std::abs(a.command.plane_rad - b.command.plane_rad),
+                                     std::abs(a.command.axial_rad - b.command.axial_rad)}));
+    const double turned_deg =
+        DegreesFromRadians(std::max(Apart_rad(a.solution.pose, b.solution.pose),
+                                    AngleBetween(a.solution.pose.q_TH(), b.solution.pose.q_TH())));
+    if (!(turned_deg <= fastest_ * step_deg)) {
+      fastest_ = turned_deg / step_deg;
+      at_ = b.command;
+    }
+  }
+
+  AxialFrom zero_;
+  const ShoulderRhythm& rhythm_;
+  std::optional<Step> before_;
+  double fastest_ = 0;
+  ArmCommand at_;
+  int passed_ = 0;
+};
+
+class WholeSphere : public testing::TestWithParam<WalkCase> {};
+
+constexpr double kAxialTurns_deg[] = {-150, -40, 0, 100};
+
+TEST_P(WholeSphere, IsAnsweredWithoutAJump) {
+  Walk walk(GetParam().zero, GetParam().rhythm());
+  int path = 0;
+  const auto axial_deg = [&path] { return kAxialTurns_deg[path++ % std::size(kAxialTurns_deg)]; };
+  for (const double elevation_deg : Steps(0, 180, 45)) {
+    const double turn_deg = axial_deg();
+    walk.Begin();
+    for (const double plane_deg : Steps(-180, 180, 1440)) {
+      walk.To(Command_deg(elevation_deg, plane_deg, turn_deg));
+    }
+  }
+  for (const double plane_deg : Steps(-180, 175, 71)) {
+    const double turn_deg = axial_deg();
+    walk.Begin();
+    for (const double elevation_deg : Steps(0, 180, 720)) {
+      walk.To(Command_deg(elevation_deg, plane_deg, turn_deg));
+    }
+  }
+  EXPECT_LT(walk.fastest(), GetParam().fastest) << walk.at();
+  EXPECT_EQ(walk.passed() > 0, GetParam().zero != AxialFrom::kRhythm);
+}
+
+// Round the direction that is answered by its opposite, to which no smallest rotation leads, and
+// through it.
+TEST_P(WholeSphere, IsAnsweredWithoutAJumpWhereTheAnswerIsOpposite) {
+  Walk walk(GetParam().zero, GetParam().rhythm());
+  for (const double turn_deg : kAxialTurns_deg) {
+    for (const double radius_deg : {1e-6, 1e-3, 0.1, 1.0, 2.0, 4.0, 7.0, 10.0, 15.0, 20.0}) {
+      walk.Begin();
+      for (const double round_rad : Steps(0, 2 * kPi, 720)) {
+        walk.To(Command_deg(kOpposite_deg + radius_deg * std::cos(round_rad),
+                            -160 + radius_deg * std::sin(round_rad), turn_deg));
+      }
+    }
+    for (const double round_rad : Steps(0, kPi, 36)) {
+      walk.Begin();
+      for (const double from_deg : Steps(-20, 20, 400)) {
+        walk.To(Command_deg(kOpposite_deg + from_deg * std::cos(round_rad),
+                            -160 + from_deg * std::sin(round_rad), turn_deg));
+      }
+    }
+  }
+  EXPECT_LT(walk.fastest(), GetParam().fastest) << walk.at();
+}
+
+// The answer's direction moves by up to 11 deg per degree. Straight up the rhythm's own humerus
+// turns with the plane; a turn that is carried loses its share on the way to the opposite.
+constexpr double kFastestOwn = 30;
+constexpr double kFastestCarried = 40;
+constexpr double kFastestSwung = 12;
+
+INSTANTIATE_TEST_SUITE_P(
+    Zeros, WholeSphere,
+    testing::Values(WalkCase{"rhythm", AxialFrom::kRhythm, Whole, kFastestOwn},
+                    WalkCase{"rhythm_bounded", AxialFrom::kRhythm, Bounded, kFastestOwn},
+                    WalkCase{"isb", AxialFrom::kIsb, Whole, kFastestCarried},
+                    WalkCase{"isb_bounded", AxialFrom::kIsb, Bounded, kFastestCarried},
+                    WalkCase{"swing", AxialFrom::kSwing, Whole, kFastestSwung},
+                    WalkCase{"swing_bounded", AxialFrom::kSwing, Bounded, kFastestSwung}),
+    [](const auto& tested) { return std::string(tested.param.name); });
+
+// Any direction, reached or not, with any turn from ISB's zero or the swing's.
+ArmCommand AnyCounted() {
+  ArmCommand command =
+      Command_deg(*NumberWithin(-10, 190), *NumberWithin(-400, 400), *NumberWithin(-360, 360));
+  command.axial_from = *rc::gen::element(AxialFrom::kIsb, AxialFrom::kSwing);
+  return command;
+}
+
+RC_GTEST_PROP(AxialFrom, UsesTheStatedShareOfTheTurnThatIsAskedFor, ()) {
+  const ArmCommand command = AnyCounted();
+  const ShoulderSolution solution = Whole().Solve(command);
+  const Asked asked = AskedOf(command, solution);
+  // Not so near to where it passes from one end to the other that rounding decides.
+  RC_PRE(asked.gh_axial_deg > -225 + 1e-3 && asked.gh_axial_deg < 135 - 1e-3);
+  // Nor so near to an opposite that the smallest rotation is not known.
+  RC_PRE(asked.share > 1e-6);
+  RC_ASSERT(std::abs(DegreesFromRadians(solution.used.axial_rad) -
+                     asked.share * (asked.gh_axial_deg - asked.own_deg)) < 1e-6);
+}
+
+TEST(AxialFromIsb, IsTheRhythmsOwnWhereTheAnswerIsOpposite) {
+  const Quaternion own = Humerus(Whole(), Command_deg(kOpposite_deg, -160));
+  const Vector3 asked = ArmOf(FromIsb_deg(kOpposite_deg, -160, 0));
+  ASSERT_LT(glm::dot(asked, ArmOf(own)), -0.995);
+  for (const double axial_deg : Steps(-180, 180, 36)) {
+    EXPECT_LT(Apart_deg(Humerus(Whole(),
+                                From(AxialFrom::kIsb, Command_deg(kOpposite_deg, -160, axial_deg))),
+                        own),
+              0.01)
+        << axial_deg;
+  }
+}
+
+// One place of each circle of turns is passed with a jump, the one half a turn from the middle of
+// GH's axial coordinate; the jump is as wide as the joint's range.
+TEST(AxialFrom, PassesFromOneEndOfTheRangeToTheOtherHalfATurnFromItsMiddleAlone) {
+  constexpr double kStep_deg = 0.25;
+  const CoordinateRange range = ShippedJointRanges()[kGhAxialIndex];
+  const double wide_deg = DegreesFromRadians(range.upper_rad - range.lower_rad);
+  for (const AxialFrom zero : {AxialFrom::kRhythm, AxialFrom::kIsb, AxialFrom::kSwing}) {
+    for (const ArmCommand& direction :
+         {Command_deg(0, 20), Command_deg(60, 40), Command_deg(60, -90), Command_deg(90, 130),
+          Command_deg(120, 0), Command_deg(180, 60)}) {
+      int passed = 0;
+      double before_deg = 0;
+      for (const double axial_deg : Steps(-540, 540, 4320)) {
+        ArmCommand command = From(zero, direction);
+        command.axial_rad = RadiansFromDegrees(axial_deg);
+        const ShoulderSolution solution = Bounded().Solve(command);
+        const double gh_deg = DegreesFromRadians(AnglesFromPose(solution.pose)[kGhAxialIndex]);
+        const double moved_deg = gh_deg - before_deg;
+        if (axial_deg > -540 && std::abs(moved_deg) > kStep_deg + kRounding_deg) {
+          ++passed;
+          EXPECT_NEAR(moved_deg, -wide_deg, kRounding_deg) << command;
+          EXPECT_LT(AskedOf(command, solution).gh_axial_deg, -225 + kStep_deg) << command;
+        }
+        before_deg = gh_deg;
+      }
+      EXPECT_EQ(passed, zero == AxialFrom::kRhythm ? 0 : 3) << From(zero, direction);
+    }
+  }
+}
+
+RC_GTEST_PROP(AxialFrom, CountsTurnsFromOtherZerosBeyondTheReachToo, ()) {
+  ArmCommand command = Command_deg(*NumberWithin(-10, 190), *NumberWithin(-400, 400));
+  command.axial_rad = *NumberWithin(-0.3, 0.3);
+  const ShoulderSolution solution = Whole().Solve(command);
+  ArmCommand counted = command;
+  counted.axial_from = *rc::gen::element(AxialFrom::kIsb, AxialFrom::kSwing);
+  // Of more of the turn that counts there is enough.
+  RC_PRE(AskedOf(counted, solution).share > 0.3);
+  counted.axial_rad = Whole().AxialCountedFrom(counted.axial_from, command);
+  RC_ASSERT(Apart_rad(Whole().SolvePose(counted), solution.pose) < 1e-9);
+}
+
+// Near the opposite direction ISB's turns count so little that they give no more than this.
+TEST(AxialFrom, CountsTheMostThatThereIsWhereTheTurnIsTooLarge) {
+  const ArmCommand far = Command_deg(110, -150);
+  ArmCommand most = From(AxialFrom::kIsb, far);
+  double most_rad = 0;
+  for (const double axial_deg : Steps(-180, 180, 3600)) {
+    most.axial_rad = RadiansFromDegrees(axial_deg);
+    most_rad = std::max(most_rad, Whole().Solve(most).used.axial_rad);
+  }
+  ArmCommand asked = far;
+  asked.axial_rad = kPi / 2;
+  ASSERT_LT(most_rad, asked.axial_rad / 2);
+  ArmCommand counted = From(AxialFrom::kIsb, far);
+  counted.axial_rad = Whole().AxialCountedFrom(AxialFrom::kIsb, asked);
+  const double used_rad = Whole().Solve(counted).used.axial_rad;
+  EXPECT_GE(used_rad, most_rad);
+  EXPECT_LT(used_rad, most_rad + RadiansFromDegrees(0.1));
 }
 
 TEST(AxialFrom, TakesOfAllWholeTurnsTheOneThatTheJointComesNearestTo) {
@@ -279,9 +513,7 @@ TEST(AxialFromIsb, IsTheRhythmsOwnWhereItIsNoNumber) {
 }
 
 RC_GTEST_PROP(AxialFrom, EqualsItsPoseWhateverTheWay, ()) {
-  ArmCommand command =
-      Command_deg(*NumberWithin(0, 180), *NumberWithin(-400, 400), *NumberWithin(-360, 360));
-  command.axial_from = *rc::gen::element(AxialFrom::kIsb, AxialFrom::kSwing);
+  const ArmCommand command = AnyCounted();
   const ShoulderSolution solution = Bounded().Solve(command);
   // The command used, in the rhythm's terms, has the same pose.
   RC_ASSERT(Apart_rad(Bounded().SolvePose(solution.used), solution.pose) < 1e-10);
