@@ -4,6 +4,7 @@
 /// Bones, masses, joint ranges and thorax surfaces of one right shoulder.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <istream>
@@ -66,6 +67,14 @@ inline constexpr std::array<LandmarkDefinition, kLandmarkCount> kLandmarks = {{
     {"EM", Segment::kHumerus},
     {"EL", Segment::kHumerus},
 }};
+
+inline constexpr std::array<std::string_view, kLandmarkCount> kLandmarkNames = [] {
+  std::array<std::string_view, kLandmarkCount> names;
+  std::transform(kLandmarks.begin(), kLandmarks.end(), names.begin(),
+                 [](const LandmarkDefinition& landmark) { return landmark.name; });
+  return names;
+}();
+constexpr const auto& WordsOf(Landmark /*which*/) noexcept { return kLandmarkNames; }
 
 [[nodiscard]] constexpr const LandmarkDefinition& DefinitionOf(Landmark landmark) noexcept {
   return kLandmarks[static_cast<std::size_t>(landmark)];

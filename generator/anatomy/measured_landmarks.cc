@@ -29,27 +29,15 @@ constexpr std::string_view kAc = "AC";
 // Points of the humeral head are called HH1, HH2 and so on.
 constexpr std::string_view kHead = "HH";
 
-std::string_view LandmarkName(Landmark landmark) { return DefinitionOf(landmark).name; }
-
-std::optional<Landmark> LandmarkFromName(std::string_view name) {
-  for (std::size_t i = 0; i < kLandmarkCount; ++i) {
-    if (kLandmarks[i].name == name) {
-      return static_cast<Landmark>(i);
-    }
-  }
-  return name == kAc ? std::optional(Landmark::kPAC) : std::nullopt;
+// The landmark that a row is of; AC is PAC.
+std::optional<Landmark> LandmarkOfRow(std::string_view name) {
+  return name == kAc ? Landmark::kPAC : FromName<Landmark>(name);
 }
 
 bool IsHeadPoint(std::string_view name) {
   return name.size() > kHead.size() && name.substr(0, kHead.size()) == kHead &&
          std::all_of(name.begin() + kHead.size(), name.end(),
                      [](char c) { return c >= '0' && c <= '9'; });
-}
-
-// The segment of this name; only where TakeFrame found it right.
-Segment SegmentNamed(std::string_view name) {
-  return static_cast<Segment>(std::find(kSegmentNames.begin(), kSegmentNames.end(), name) -
-                              kSegmentNames.begin());
 }
 
 }  // namespace
@@ -84,7 +72,7 @@ MeasuredLandmarks::MeasuredLandmarks(std::istream& in, const std::string& name) 
       TakeHeadPoint(row_name, position_m);
       continue;
     }
-    Row& row = RowIn(is_lab_ ? SegmentOf(*landmark) : SegmentNamed(frame), *landmark);
+    Row& row = RowIn(is_lab_ ? SegmentOf(*landmark) : *FromName<Segment>(frame), *landmark);
     if (row.line_number != 0) {
       csv_.Fail("'" + row_name + "' stands in line " + std::to_string(row.line_number) +
                 " already" + (landmark == Landmark::kPAC ? ", AC and PAC being the same" : "") +
@@ -133,7 +121,7 @@ void MeasuredLandmarks::AddGh(const Vector3& gh_m) {
 }
 
 std::string MeasuredLandmarks::NameIn(Landmark landmark) const {
-  return std::string(landmark == Landmark::kPAC && says_ac_ ? kAc : LandmarkName(landmark));
+  return std::string(landmark == Landmark::kPAC && says_ac_ ? kAc : Name(landmark));
 }
 
 std::size_t MeasuredLandmarks::LineOf(Landmark landmark) const {
@@ -165,7 +153,7 @@ MeasuredLandmarks::Row& MeasuredLandmarks::RowIn(Segment segment, Landmark landm
 }
 
 Landmark MeasuredLandmarks::KnownLandmark(std::string_view name) const {
-  const std::optional<Landmark> landmark = LandmarkFromName(name);
+  const std::optional<Landmark> landmark = LandmarkOfRow(name);
   if (!landmark) {
     std::string known;
     for (const LandmarkDefinition& definition : kLandmarks) {
@@ -181,7 +169,7 @@ Landmark MeasuredLandmarks::KnownLandmark(std::string_view name) const {
 // stand in the same kind.
 void MeasuredLandmarks::TakeFrame(std::string_view name, std::optional<Landmark> landmark,
                                   std::string_view frame) {
-  const std::string shown = landmark ? std::string(LandmarkName(*landmark)) : std::string(name);
+  const std::string shown = landmark ? std::string(Name(*landmark)) : std::string(name);
   const bool is_lab = frame == kLaboratory;
   if (!has_rows_) {
     is_lab_ = is_lab;
@@ -228,7 +216,7 @@ void MeasuredLandmarks::ExpectAll() const {
     const bool is_optional =
         std::find(std::begin(kOptional), std::end(kOptional), landmark) != std::end(kOptional);
     if (!is_optional && !Has(landmark)) {
-      missing += (missing.empty() ? "" : ", ") + std::string(LandmarkName(landmark)) +
+      missing += (missing.empty() ? "" : ", ") + std::string(Name(landmark)) +
                  (landmark == Landmark::kPAC ? " (or AC)" : "") +
                  (is_lab_ ? "" : " in the frame '" + std::string(Name(SegmentOf(landmark))) + "'");
     }

@@ -59,15 +59,6 @@ constexpr Bone kBones[] = {
     {Landmark::kEM, Landmark::kEL, Segment::kHumerus},
 };
 
-std::string_view NameOf(Landmark landmark) { return DefinitionOf(landmark).name; }
-
-Landmark LandmarkNamed(std::string_view name) {
-  return static_cast<Landmark>(
-      std::find_if(kLandmarks.begin(), kLandmarks.end(),
-                   [&](const LandmarkDefinition& known) { return known.name == name; }) -
-      kLandmarks.begin());
-}
-
 std::string LengthText(double length_m) { return SignificantText(length_m, 3) + " m"; }
 
 // What the unit of a length seems to be, if not meters.
@@ -104,8 +95,8 @@ void CheckLengths(const MeasuredLandmarks& measured, const Anatomy& adult) {
     if (length_m >= shortest_m && length_m <= longest_m) {
       continue;
     }
-    const std::string from(NameOf(bone.from));
-    const std::string to(NameOf(bone.to));
+    const std::string from(Name(bone.from));
+    const std::string to(Name(bone.to));
     if (length_m == 0) {
       measured.Fail(bone.segment, bone.to, from + " and " + to + " are the same point");
     }
@@ -160,7 +151,7 @@ void CheckShape(const MeasuredLandmarks& measured, const std::string& mesh_file)
                                  at(Segment::kHumerus, Landmark::kEM),
                                  at(Segment::kHumerus, Landmark::kEL)};
   if (const auto flaw = FlawOfRightShoulder(thorax, scapula, humerus)) {
-    const Landmark landmark = LandmarkNamed(flaw->landmark);
+    const Landmark landmark = *FromName<Landmark>(flaw->landmark);
     measured.Fail(
         SegmentOf(landmark), landmark,
         flaw->message + (flaw->is_left_shoulder && !mesh_file.empty()

@@ -432,6 +432,12 @@ double ShoulderRhythm::AxialCountedFrom(AxialFrom zero, const ArmCommand& comman
   return turn_rad + own.tau_rad - ZeroOf(zero, asked, used, own.tau_rad);
 }
 
+double ShoulderRhythm::AxialShare(const ArmCommand& command) const noexcept {
+  const ArmDirectionOf<double> asked =
+      AskedDirection<double>({command.elevation_rad, command.plane_rad});
+  return ShareOf(command.axial_from, asked, AnswerTo(asked));
+}
+
 double ShoulderRhythm::AxialOf(AxialFrom zero, const ShoulderPose& pose,
                                const ArmCommand& used) const noexcept {
   const ArmDirectionOf<double> direction = {used.elevation_rad, used.plane_rad};

@@ -206,6 +206,10 @@ class ShoulderRhythm {
   /// Where a share of ISB's counts and no turn gives as much, it is the one that gives most.
   [[nodiscard]] double AxialCountedFrom(AxialFrom zero, const ArmCommand& command) const noexcept;
 
+  /// Returns the share of a command's axial turn that counts, in [0, 1], and of its rate: 1 unless
+  /// ISB's is carried by more than 60 deg.
+  [[nodiscard]] double AxialShare(const ArmCommand& command) const noexcept;
+
   /// The axial turn that a pose has [rad], in [-pi, pi], counted from a zero; `used` is the command
   /// that the pose answers. With closure exact and kIsb it is the third angle Y-X'-Y'' of q_TH.
   /// With closure table the arm may point beside where it was told to; the zero is then the one of
@@ -284,7 +288,7 @@ class ShoulderRhythm {
   /// The whole turn of a pose for a direction [rad], in [-pi, pi].
   [[nodiscard]] double WholeTurnOf(const ShoulderPose& pose,
                                    const ArmDirectionOf<double>& used) const noexcept;
-  /// The share of an axial turn that counts, where `used` answers the direction asked for.
+  /// AxialShare where `used` answers the direction asked for.
   template <typename T>
   [[nodiscard]] static T ShareOf(AxialFrom zero, const ArmDirectionOf<T>& asked,
                                  const ArmDirectionOf<T>& used) noexcept;

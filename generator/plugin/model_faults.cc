@@ -242,12 +242,19 @@ class FaultFinder {
     const auto steps = [apart_rad](double length_rad) {
       return std::max(static_cast<int>(std::ceil(length_rad / apart_rad)), 1);
     };
+    const int plane_steps = steps(planes_rad);
+    const int elevation_steps = steps(elevations_rad);
     double longest_m = 0;
-    for (int i = 0; i <= steps(planes_rad); ++i) {
-      const double plane_rad = domain.first_plane_rad + i * planes_rad / steps(planes_rad);
-      for (int j = 0; j <= steps(elevations_rad); ++j) {
+    for (int i = 0; i <= plane_steps; ++i) {
+      // The last ones are the ends themselves, which a rounded sum may pass.
+      const double plane_rad = i == plane_steps
+                                   ? domain.last_plane_rad
+                                   : domain.first_plane_rad + i * planes_rad / plane_steps;
+      for (int j = 0; j <= elevation_steps; ++j) {
         const double elevation_rad =
-            domain.lowest_elevation_rad + j * elevations_rad / steps(elevations_rad);
+            j == elevation_steps
+                ? domain.highest_elevation_rad
+                : domain.lowest_elevation_rad + j * elevations_rad / elevation_steps;
         const Quaternion q_CS = rhythm_.SolvePose({elevation_rad, plane_rad}).q_CS;
         longest_m = std::max(longest_m, glm::length(*binding_.p_CS_m + q_CS * ends.on_scapula_m -
                                                     ends.on_clavicle_m));

@@ -281,8 +281,7 @@ class RhythmBinder {
       throw std::runtime_error(
           "servos for the scapula's place (st_lateral and so on), but no <connect site1=\"...\" "
           "site2=\"...\"/> of clavicle and scapula in <equality>, which says where the AC joint "
-          "is. "
-          "Add one");
+          "is. Add one");
     }
   }
 

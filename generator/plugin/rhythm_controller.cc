@@ -107,9 +107,11 @@ JointAngles RhythmController::TargetRates(const ModelView& model, const DataView
                                                command.axial_rad};
   std::array<double, kRateCount> command_rate{};
   constexpr double kRounding = 1e-9;
+  // Of these, ReadCommand takes whole turns off.
+  const std::array<bool, kRateCount> is_angle = {false, true, axial_from_ != AxialFrom::kRhythm};
   for (std::size_t i = 0; i < kRateCount; ++i) {
-    // But for whole turns, which ReadAngle takes off.
-    if (std::abs(std::remainder(binding_.commands[i].Raw(data) - read[i], 2 * kPi)) < kRounding) {
+    const double held_back = binding_.commands[i].Raw(data) - read[i];
+    if (std::abs(is_angle[i] ? std::remainder(held_back, 2 * kPi) : held_back) < kRounding) {
       command_rate[i] = binding_.commands[kCommandCount + kOffsetCount + i].ReadFinite(model, data);
     }
   }
@@ -123,7 +125,7 @@ JointAngles RhythmController::TargetRates(const ModelView& model, const DataView
   }
   // At the end of its range the humerus does not turn further.
   if (aim.used.axial_rad == rhythm_.rhythm().AxialCountedFrom(AxialFrom::kRhythm, command)) {
-    rates[kGhAxialIndex] += axial_rate;
+    rates[kGhAxialIndex] += rhythm_.rhythm().AxialShare(command) * axial_rate;
   }
   return rates;
 }

@@ -43,13 +43,6 @@ std::optional<std::size_t> IndexOf(const Names& names, std::string_view name) {
                               : std::optional(static_cast<std::size_t>(found - names.begin()));
 }
 
-std::array<std::string_view, kLandmarkCount> LandmarkNames() {
-  std::array<std::string_view, kLandmarkCount> names;
-  std::transform(kLandmarks.begin(), kLandmarks.end(), names.begin(),
-                 [](const LandmarkDefinition& landmark) { return landmark.name; });
-  return names;
-}
-
 class MappingReader {
  public:
   MappingReader(std::istream& in, const std::string& name)
@@ -85,14 +78,14 @@ class MappingReader {
       ReadSide();
     } else if (part == kArm) {
       ReadDrive();
-    } else if (const auto landmark = IndexOf(LandmarkNames(), part)) {
+    } else if (const auto landmark = IndexOf(kLandmarkNames, part)) {
       ReadLandmark(*landmark);
     } else if (const auto segment = IndexOf(kSegmentNames, part)) {
       ReadBone(*segment);
     } else {
       csv_.Fail("part " + Quoted(part) + " is not known. Choose one of: " + std::string(kSide) +
                 ", " + std::string(kArm) + ", " + Listed(kSegmentNames) +
-                ", or a landmark: " + Listed(LandmarkNames()));
+                ", or a landmark: " + Listed(kLandmarkNames));
     }
   }
 

@@ -18,7 +18,7 @@ from rhythm_maps import (
     prepare,
     value_at,
 )
-from style import BLACK, BLUE, GREEN, SEQUENTIAL, VERMILION, name_panel, save
+from style import BLACK, BLUE, GREEN, SEQUENTIAL, VERMILION, WHITE, name_panel, save
 
 NAME = "axial_zero"
 
@@ -34,8 +34,9 @@ def make(girdle: Girdle, quick: bool) -> Figure:
         PLANES.format(step=step_deg),
     )
     planes_deg, elevations_deg, axial_deg = rows.map("used_axial_isb_deg")
-    is_answered = rows.map("clamped")[2] == 0
-    field = (planes_deg, elevations_deg, np.where(is_answered, axial_deg, np.nan))
+    # Hanging, planes that no arm reaches are answered by others, and are not clamped.
+    is_reached = (rows.map("clamped")[2] == 0) & (rows.map("used_plane_deg")[2] == planes_deg)
+    field = (planes_deg, elevations_deg, np.where(is_reached, axial_deg, np.nan))
     lines = {
         plane: girdle.rows(
             "solve", "--elevation", ELEVATIONS.format(step=step_deg), "--plane", str(plane)
@@ -58,7 +59,9 @@ def make(girdle: Girdle, quick: bool) -> Figure:
     curves.legend(loc="upper right")
     name_panel(axes, "(b) over elevation and plane")
     colors = axes.pcolormesh(*field, cmap=SEQUENTIAL, shading="nearest", rasterized=True)
-    draw_lines(axes, field, np.arange(-120.0, 100.0, 20.0), BLACK)
+    # Where the map is dark, and where it is not.
+    draw_lines(axes, field, np.arange(-120.0, -50.0, 20.0), WHITE)
+    draw_lines(axes, field, np.arange(-40.0, 100.0, 20.0), BLACK)
     draw_border(axes, rows.map("distance_deg"))
     prepare(axes)
     axes.set_xlabel("plane of elevation (deg)")

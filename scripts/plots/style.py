@@ -17,6 +17,7 @@ from matplotlib.figure import Figure as Canvas
 
 # Okabe and Ito's colours, which all kinds of colour vision tell apart.
 BLACK = "#000000"
+WHITE = "#ffffff"
 ORANGE = "#e69f00"
 SKY = "#56b4e9"
 GREEN = "#009e73"

@@ -396,6 +396,7 @@ RC_GTEST_PROP(AxialFrom, UsesTheStatedShareOfTheTurnThatIsAskedFor, ()) {
   RC_PRE(asked.gh_axial_deg > -225 + 1e-3 && asked.gh_axial_deg < 135 - 1e-3);
   // Nor so near to an opposite that the smallest rotation is not known.
   RC_PRE(asked.share > 1e-6);
+  RC_ASSERT(std::abs(Whole().AxialShare(command) - asked.share) < 1e-12);
   RC_ASSERT(std::abs(DegreesFromRadians(solution.used.axial_rad) -
                      asked.share * (asked.gh_axial_deg - asked.own_deg)) < 1e-6);
 }

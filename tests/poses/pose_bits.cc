@@ -39,7 +39,9 @@ std::vector<ArmCommand> RandomCommands() {
     command.elevation_rad = Draw(random, -0.1, kPi + 0.1);
     command.plane_rad = Draw(random, -2 * kPi, 2 * kPi);
     if (random() % 2 == 0) {
-      command.axial_rad = Draw(random, -1, 1);
+      command.axial_from = static_cast<AxialFrom>(random() % kAxialFromNames.size());
+      command.axial_rad =
+          command.axial_from == AxialFrom::kRhythm ? Draw(random, -1, 1) : Draw(random, -kPi, kPi);
       command.shrug_rad = Draw(random, -0.3, 0.6);
       command.protraction_rad = Draw(random, -0.4, 0.5);
     }

@@ -44,7 +44,8 @@ def test_the_bits_are_the_committed_ones(printed: dict[str, str]) -> None:
 
 def test_every_committed_model_is_stepped(printed: dict[str, str]) -> None:
     scenes = [path.relative_to(ROOT).as_posix() for path in ROOT.glob("model/*/scene*.xml")]
-    assert sorted(printed) == sorted(["poses", "sweep", *scenes, "all"])
+    counted = "model/shoulder_tree/shoulder_right.xml,axial_from=isb"
+    assert sorted(printed) == sorted(["poses", "sweep", *scenes, counted, "all"])
     # Skins cost the physics nothing, and change nothing; all other models are different ones.
     different = [name for name in printed if not name.startswith("model/shoulder_skin/")]
     assert len({printed[name] for name in different}) == len(different)

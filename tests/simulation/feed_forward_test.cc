@@ -24,8 +24,13 @@ namespace {
 
 constexpr int kFirstRate = kCommandCount + kOffsetCount;
 
-class FeedForwardTest : public FullPluginTest {
+// Forces of a few N m, and rounding.
+constexpr double kSameForce_N_m = 1e-6;
+
+class FeedForwardTest : public PluginTest {
  protected:
+  explicit FeedForwardTest(const std::string& xml = FullShoulderXml()) : PluginTest(xml) {}
+
   void SetRates(const CommandRate& rates) const {
     std::copy(rates.begin(), rates.end(), data_->ctrl + kFirstRate);
   }
@@ -95,6 +100,65 @@ TEST_F(FeedForwardTest, AddsNothingForCommandsThatTheirRangesHoldBack) {
   ExpectNothingAdded({0, 1, 0}, "plane 150");
   SetCommand({RadiansFromDegrees(90), RadiansFromDegrees(40), 3});
   ExpectNothingAdded({0, 0, 1}, "axial 3 rad");
+}
+
+// An elevation is no angle that goes round, and a turn on top of the rhythm's own neither: a whole
+// turn beyond their ends they are beyond them.
+TEST_F(FeedForwardTest, AddsNothingForAmountsAWholeTurnBeyondTheirEnds) {
+  const mjtNum* const elevation = model_->actuator_ctrlrange;
+  SetCommand({elevation[1] + 2 * kPi, RadiansFromDegrees(40)});
+  ExpectNothingAdded({1, 0, 0}, "elevation 540");
+  const mjtNum* const axial = model_->actuator_ctrlrange + 2 * 2;
+  SetCommand({RadiansFromDegrees(60), RadiansFromDegrees(40), axial[1] + 2 * kPi});
+  ExpectNothingAdded({0, 0, 1}, "axial, a turn beyond its end");
+}
+
+TEST_F(FeedForwardTest, AddsTheSameForAPlaneAWholeTurnOn) {
+  SetCommand({RadiansFromDegrees(60), RadiansFromDegrees(40)});
+  const auto added = Added({0, 1, 0});
+  SetCommand({RadiansFromDegrees(60), RadiansFromDegrees(400)});
+  const auto turned = Added({0, 1, 0});
+  for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+    EXPECT_NEAR(turned[k], added[k], kSameForce_N_m) << kCoordinateNames[k];
+  }
+  EXPECT_GT(std::abs(added[kGhAxialIndex]), kSameForce_N_m);
+}
+
+class FeedForwardFromIsbTest : public FeedForwardTest {
+ protected:
+  FeedForwardFromIsbTest()
+      : FeedForwardTest(
+            ShoulderXml({.axial_from = AxialFrom::kIsb, .has_offsets = true, .has_rates = true})) {}
+};
+
+TEST_F(FeedForwardFromIsbTest, AddsTheSameForAnAxialAngleAWholeTurnOn) {
+  SetCommand({RadiansFromDegrees(60), RadiansFromDegrees(40), RadiansFromDegrees(-45)});
+  const auto added = Added({0, 0, 1});
+  SetCommand({RadiansFromDegrees(60), RadiansFromDegrees(40), RadiansFromDegrees(315)});
+  const auto turned = Added({0, 0, 1});
+  for (std::size_t k = 0; k < kCoordinateCount; ++k) {
+    EXPECT_NEAR(turned[k], added[k], kSameForce_N_m) << kCoordinateNames[k];
+  }
+  EXPECT_GT(std::abs(added[kGhAxialIndex]), kSameForce_N_m);
+}
+
+// Where the answer is far from the direction that is asked for a share of ISB's turn counts, and of
+// its rate.
+TEST_F(FeedForwardFromIsbTest, AddsTheShareOfAnAxialRateThatCounts) {
+  const ShoulderRhythm rhythm = BuiltInRhythm();
+  ArmCommand command = {RadiansFromDegrees(80), RadiansFromDegrees(-160), RadiansFromDegrees(-20)};
+  command.axial_from = AxialFrom::kIsb;
+  SetCommand(command);
+  const double added_N_m = Added({0, 0, 1})[kGhAxialIndex];
+  constexpr double kNudge_rad = 1e-6;
+  ArmCommand moved = command;
+  moved.axial_rad += kNudge_rad;
+  const double rate =
+      (TargetsOf(rhythm, moved)[kGhAxialIndex] - TargetsOf(rhythm, command)[kGhAxialIndex]) /
+      kNudge_rad;
+  EXPECT_GT(rate, 0.2);
+  EXPECT_LT(rate, 0.8);
+  EXPECT_NEAR(added_N_m, kJointDynamics[2].damping_N_m_s_per_rad * rate, kSameForce_N_m);
 }
 
 TEST_F(FeedForwardTest, AddsNothingToAHumerusAtTheEndOfItsRange) {
