@@ -61,7 +61,9 @@ std::vector<ArmCommand> SweptCommands() {
 
 template <typename T>
 void Write(const std::vector<T>& numbers) {
-  if (std::fwrite(numbers.data(), sizeof(T), numbers.size(), stdout) != numbers.size()) {
+  // Squad and slerp have no rates.
+  if (!numbers.empty() &&
+      std::fwrite(numbers.data(), sizeof(T), numbers.size(), stdout) != numbers.size()) {
     throw std::runtime_error("standard output cannot be written");
   }
 }
