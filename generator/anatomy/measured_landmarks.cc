@@ -72,7 +72,7 @@ MeasuredLandmarks::MeasuredLandmarks(std::istream& in, const std::string& name) 
       TakeHeadPoint(row_name, position_m);
       continue;
     }
-    Row& row = RowIn(is_lab_ ? SegmentOf(*landmark) : *FromName<Segment>(frame), *landmark);
+    Row& row = RowIn(is_lab_ ? SegmentOf(*landmark) : FromName<Segment>(frame).value(), *landmark);
     if (row.line_number != 0) {
       csv_.Fail("'" + row_name + "' stands in line " + std::to_string(row.line_number) +
                 " already" + (landmark == Landmark::kPAC ? ", AC and PAC being the same" : "") +

@@ -151,7 +151,7 @@ void CheckShape(const MeasuredLandmarks& measured, const std::string& mesh_file)
                                  at(Segment::kHumerus, Landmark::kEM),
                                  at(Segment::kHumerus, Landmark::kEL)};
   if (const auto flaw = FlawOfRightShoulder(thorax, scapula, humerus)) {
-    const Landmark landmark = *FromName<Landmark>(flaw->landmark);
+    const Landmark landmark = FromName<Landmark>(flaw->landmark).value();
     measured.Fail(
         SegmentOf(landmark), landmark,
         flaw->message + (flaw->is_left_shoulder && !mesh_file.empty()

@@ -882,7 +882,9 @@ class SmoothRhythm:
 
         The humerus that is meant is made first: of ISB's angles that were asked for, carried to the
         direction that answers, or of ISB's zero in the middle of the reach, carried there, and then
-        turned. How far the rhythm's own humerus is turned until it is that one is the answer.
+        turned. How far the rhythm's own humerus is turned until it is that one is the answer; of
+        ISB's less where the direction that answers is more than 60 deg from the one asked for, and
+        nothing where it is opposite.
         """
         if zero == "rhythm":
             return axial_deg
@@ -892,9 +894,14 @@ class SmoothRhythm:
         if closure == "table":
             # Where it was told to point, with the turn that it has.
             q_TH = multiply(swing(*np.radians(to_deg)), turns("y", twist(q_TH)))
+        share = np.ones_like(elevation_deg)
         if zero == "isb":
             asked_deg = np.clip(elevation_deg, 0.0, 180.0)
             meant = carried(isb_humerus(asked_deg, plane_deg, axial_deg), *to_deg)
+            cosine = np.sum(
+                direction_deg(asked_deg, plane_deg) * direction_deg(*to_deg), axis=0
+            )
+            share = bump((0.5 - cosine) / 1.5)
         else:
             whole = np.ones_like(elevation_deg)
             start = isb_humerus(90.0 * whole, MIDDLE_DEG * whole, 0.0 * whole)
@@ -903,7 +910,7 @@ class SmoothRhythm:
         joint_deg = own.angles_deg["gh_axial"]
         lowest_deg = LOWEST_AXIAL_DEG
         wrapped_deg = lowest_deg + np.mod(joint_deg + turn_deg - lowest_deg, 360.0)
-        return wrapped_deg - joint_deg
+        return np.asarray(share * (wrapped_deg - joint_deg))
 
     def moved_or_answered(
         self,
