@@ -22,8 +22,8 @@ struct ShoulderState {
   double fastest_rad_per_s = 0;  ///< of all hinges of the model
   double fastest_m_per_s = 0;    ///< of its slides
   /// The command that was followed: that of ShoulderSolution::used for the command within the
-  /// controls' ranges, its axial turn counted from the rhythm's own. The plugin does not say how much
-  /// of an offset that is: it is what the rhythm of the simulation leaves of it there.
+  /// controls' ranges, its axial turn counted from the rhythm's own. The plugin does not say how
+  /// much of an offset that is: it is what the rhythm of the simulation leaves of it there.
   ArmCommand used;
   double used_axial_isb_rad = 0;  ///< its axial turn as ISB's third angle
   bool clamped = false;           ///< another one than the command
