@@ -43,16 +43,16 @@ struct TranslationDynamics {
 /// Where the scapula leads: near critical for scapula and arm (3 kg), with the same lag of 20 ms.
 inline constexpr TranslationDynamics kLeadingTranslation = {10000, 200, 0.05};
 /// Where it follows the clavicle: the connect holds it, and the damping keeps what the connect
-/// pushes there and back at long time steps from ringing: with 300 N s/m the joint opens by 36 mm
-/// at 5 ms, with 1 by 400. The drag costs SC a lag of 0.3 deg where girdle verify moves the arm.
-inline constexpr TranslationDynamics kFollowingTranslation = {0, 1000, 0.05};
+/// pushes there and back at long time steps from ringing: at 5 ms the joint opens by centimeters
+/// with 300 N s/m. SC lags by the drag, with 1000 by so much that it stretches a ligament.
+inline constexpr TranslationDynamics kFollowingTranslation = {0, 700, 0.05};
 
 /// How the connect of an assembly loop holds the AC joint. A constraint of time constant t and
 /// damping ratio r gives way by a (t r)^2 to what it does not foresee, the acceleration a with
-/// which the arm swings about SC (16 m/s^2 where it goes from 0 to 150 deg and back at 1 Hz): 0.04
+/// which the arm swings about SC (16 m/s^2 where it goes from 0 to 150 deg and back at 1 Hz): 0.03
 /// mm with the shortest t there is at 2 ms, two steps. With r = 0.3 it rings at 5 ms where the
 /// scapula leads. How hard it is (solimp) does not show.
-inline constexpr std::array<double, 2> kConnectSolref = {0.004, 0.4};
+inline constexpr std::array<double, 2> kConnectSolref = {0.004, 0.36};
 inline constexpr std::array<double, 3> kConnectSolimp = {0.99, 0.99, 0.001};
 
 /// How hard the thorax pushes TS and AI out of the gliding ellipsoid: F = k p at a depth p, with k

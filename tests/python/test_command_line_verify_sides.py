@@ -342,7 +342,7 @@ def test_an_emergent_ac_that_is_not_the_measured_one_is_caught(
     for number, line in enumerate(lines):
         fields = line.split(",")
         if line[:1].isdigit():
-            fields[column] = repr(float(fields[column]) + 5.0)
+            fields[column] = repr(float(fields[column]) + 8.0)
         lines[number] = ",".join(fields)
     table = tmp_path / "mine.csv"
     table.write_text("\n".join(lines) + "\n")
