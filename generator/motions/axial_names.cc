@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "text/near_names.h"
@@ -25,6 +26,18 @@ constexpr auto kBeside = std::to_array<std::string_view>(
      "upper",        "arm",      "shoulder", "right",   "left",   "r",        "l",      "long",
      "longitudinal", "axis",     "isb",      "angle",   "turn",   "measured"});
 
+// How many letters a word has, and how many if one slipped.
+std::array<std::size_t, 3> SizesOfSlips(std::string_view word) {
+  return {word.size() - 1, word.size(), word.size() + 1};
+}
+
+// Whether letters are a word with a slip before its end. At its end they may be two words: x of
+// `rotation_x` is no slip.
+bool IsSlipWithin(std::string_view letters, std::string_view word) {
+  return word.size() >= kShortestToSlip && letters.ends_with(word.back()) &&
+         IsOneSlipAway(letters, word);
+}
+
 }  // namespace
 
 bool MeansAxialTurn(std::string_view column) {
@@ -39,10 +52,16 @@ bool MeansAxialTurn(std::string_view column) {
   for (std::size_t place = 0; place < stem.size(); ++place) {
     const Before here = before[place];
     const auto take = [&](std::string_view word, bool is_turn) {
-      if (stem.compare(place, word.size(), word) == 0) {
-        Before& behind = before[place + word.size()];
-        behind.words |= here.words;
-        behind.words_with_turn |= here.words_with_turn || (is_turn && here.words);
+      for (const std::size_t size : SizesOfSlips(word)) {
+        if (place + size > stem.size()) {
+          continue;
+        }
+        const std::string_view letters = std::string_view(stem).substr(place, size);
+        if (letters == word || IsSlipWithin(letters, word)) {
+          Before& behind = before[place + size];
+          behind.words |= here.words;
+          behind.words_with_turn |= here.words_with_turn || (is_turn && here.words);
+        }
       }
     };
     for (const std::string_view word : kTurns) {

@@ -38,7 +38,13 @@ std::string_view Stem(std::string_view plain) {
   return plain;
 }
 
-// Whether at most one letter is missing, too much or wrong, or two neighbours are exchanged.
+}  // namespace
+
+std::string PlainStem(std::string_view name) {
+  const std::string plain = Plain(name);
+  return std::string(Stem(plain));
+}
+
 bool IsOneSlipAway(std::string_view a, std::string_view b) {
   if (a.size() > b.size()) {
     std::swap(a, b);
@@ -57,21 +63,12 @@ bool IsOneSlipAway(std::string_view a, std::string_view b) {
   return is_wrong_letter || is_exchange;
 }
 
-}  // namespace
-
-std::string PlainStem(std::string_view name) {
-  const std::string plain = Plain(name);
-  return std::string(Stem(plain));
-}
-
 bool IsNearly(std::string_view name, std::string_view known) {
   if (name == known) {
     return false;
   }
   const std::string plain = Plain(name);
   const std::string plain_known = Plain(known);
-  // One slip makes another name of a short one.
-  constexpr std::size_t kShortestToSlip = 5;
   return Stem(plain) == Stem(plain_known) ||
          (plain_known.size() >= kShortestToSlip && IsOneSlipAway(plain, plain_known));
 }

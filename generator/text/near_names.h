@@ -4,6 +4,7 @@
 /// Names that are nearly others: slips of who types them.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -13,12 +14,18 @@ namespace girdle {
 /// `axialrotation` for `Axial rotation (deg)`.
 [[nodiscard]] std::string PlainStem(std::string_view name);
 
+/// Shortest word, in letters, of which a slip is still told from another word.
+inline constexpr std::size_t kShortestToSlip = 5;
+
+/// Returns whether at most one letter of a word is missing, too much or wrong, or two neighbours
+/// are exchanged.
+[[nodiscard]] bool IsOneSlipAway(std::string_view a, std::string_view b);
+
 /// Returns whether `name` is nearly `known`, the name of a column such as `axial_deg`, and not
 /// `known` itself. Capital letters and characters between words do not matter. It is nearly so if
 ///
 /// - it has the same stem and another unit or none: `axial`, `axial_rad`, `Axial (deg)`, `axials`;
-/// - or, of five letters and more, one is missing, too much, wrong, or two neighbours are
-///   exchanged: `plan_deg`.
+/// - or it is one slip away from a name of `kShortestToSlip` letters and more: `plan_deg`.
 [[nodiscard]] bool IsNearly(std::string_view name, std::string_view known);
 
 }  // namespace girdle
