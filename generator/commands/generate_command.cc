@@ -141,35 +141,33 @@ std::string LandmarkFile(const Anatomy& anatomy) {
   return LandmarksToCsv(anatomy, comments);
 }
 
-// Refuses to write over what is read.
-void ExpectOutputApart(const GenerateArguments& arguments, const FileNames& names, bool has_skin,
-                       bool has_own_bones) {
-  std::vector<std::string> written = {names.scene, names.model};
-  if (has_skin) {
-    written.push_back(names.skin);
-  }
-  if (has_own_bones) {
-    written.push_back(names.landmarks);
-  }
-  for (const std::string& name : written) {
-    ExpectFilesApart({{"--out", (std::filesystem::path(arguments.out) / name).string()}},
-                     {{"--table", TableFile(arguments.rhythm.table)},
-                      {"--anatomy", arguments.anatomy.file},
-                      {"--thorax", arguments.anatomy.thorax},
-                      {"--skin", arguments.skin.skin},
-                      {"--skin-landmarks", arguments.skin.landmarks},
-                      {"--plugin", arguments.plugin}});
-  }
+// Refuses to write a file of the output's folder over one that is read.
+void ExpectApart(const GenerateArguments& arguments, const std::string& name) {
+  ExpectFilesApart({{"--out", (std::filesystem::path(arguments.out) / name).string()}},
+                   {{"--table", TableFile(arguments.rhythm.table)},
+                    {"--anatomy", arguments.anatomy.file},
+                    {"--thorax", arguments.anatomy.thorax},
+                    {"--skin", arguments.skin.skin},
+                    {"--skin-landmarks", arguments.skin.landmarks},
+                    {"--plugin", arguments.plugin}});
 }
 
 void Generate(const GenerateArguments& arguments) {
   const ResolvedRhythm rhythm = Resolve(ChoiceFrom(arguments.rhythm));
   ShoulderModelOptions options = ModelOptions(arguments, rhythm);
   const FileNames names = NamesFor(options);
+  for (const std::string& name : {names.scene, names.model}) {
+    ExpectApart(arguments, name);
+  }
   const std::vector<Side> sides = SidesOf(options.sides);
   const std::optional<ChosenBody> body = BodyFor(arguments.skin, arguments.anatomy, sides);
   const bool has_own_bones = body && body->has_own_bones;
-  ExpectOutputApart(arguments, names, body.has_value(), has_own_bones);
+  if (body) {
+    ExpectApart(arguments, names.skin);
+  }
+  if (has_own_bones) {
+    ExpectApart(arguments, names.landmarks);
+  }
   const Anatomy anatomy = body ? body->body.anatomy : ChosenAnatomy(arguments.anatomy);
   std::optional<MadeSkin> skin;
   if (body) {

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "mjcf/files_of_model.h"
 #include "text/input_error.h"
 
 namespace girdle {
@@ -17,17 +18,16 @@ namespace fs = std::filesystem;
 constexpr const char* kStandardStream = "-";
 
 // Where a file is, of which nothing has to be there.
-fs::path PlaceOf(const NamedFile& file, const char* standard_stream) {
+fs::path PlaceOf(const NamedFile& file, const char* device) {
   std::error_code unclear;
-  return file.path == kStandardStream ? fs::path(standard_stream)
-                                      : fs::absolute(file.path, unclear);
+  return file.path == kStandardStream ? fs::path(device) : fs::absolute(file.path, unclear);
 }
 fs::path PlaceOfWritten(const NamedFile& file) { return PlaceOf(file, "/dev/stdout"); }
 fs::path PlaceOfRead(const NamedFile& file) { return PlaceOf(file, "/dev/stdin"); }
 
-// As a person typed it.
-std::string TypedText(const NamedFile& file, const char* standard_stream) {
-  return file.path == kStandardStream ? standard_stream : file.option + " " + file.path;
+// As a person typed it, or the words for a standard stream.
+std::string TypedText(const NamedFile& file, const char* stream_words) {
+  return file.path == kStandardStream ? stream_words : file.option + " " + file.path;
 }
 
 // Whether two places, of which neither has to be there, are one.
@@ -65,6 +65,14 @@ void ExpectTwo(const NamedFile& first, const NamedFile& second) {
 }
 
 }  // namespace
+
+std::vector<NamedFile> ModelFiles(const std::string& model) {
+  std::vector<NamedFile> files = {{"the model", model}};
+  for (const std::string& file : FilesOfModel(model)) {
+    files.push_back({"the model's file", file});
+  }
+  return files;
+}
 
 void ExpectFilesApart(const std::vector<NamedFile>& written, const std::vector<NamedFile>& read) {
   for (std::size_t i = 0; i < written.size(); ++i) {

@@ -83,9 +83,10 @@ std::string UsedText(const RenderResult& result) {
 void Render(const RenderArguments& arguments) {
   const RenderRequest request = Requested(arguments);
   ExpectSuffix("--out", arguments.out, ".png");
-  ExpectFilesApart({{"--out", arguments.out}}, {{"the model", arguments.model},
-                                                {"--table", TableFile(arguments.rhythm.table)},
-                                                {"--plugin", arguments.plugin}});
+  std::vector<NamedFile> read = ModelFiles(arguments.model);
+  read.insert(read.end(),
+              {{"--table", TableFile(arguments.rhythm.table)}, {"--plugin", arguments.plugin}});
+  ExpectFilesApart({{"--out", arguments.out}}, read);
   const SimulationModule& simulation = LoadSimulation();
   OutputFile out(arguments.out);
   const RenderResult result = simulation.render(arguments.model, ChosenPlugin(arguments.plugin),

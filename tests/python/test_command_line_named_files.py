@@ -14,6 +14,7 @@ from reference_rhythm import DATABASE
 
 MOTION = "time_s,elevation_deg,plane_deg\n0,20,40\n0.01,21,40\n"
 LANDMARKS = DATABASE.parent / "landmarks.csv"
+LAB_LANDMARKS = DATABASE.parent / "example_lab_landmarks.csv"
 ELLIPSOIDS = DATABASE.parent / "thorax_ellipsoids.csv"
 
 
@@ -31,6 +32,18 @@ def _folder(tmp_path: Path, generated: Path) -> None:
     (tmp_path / "link.png").symlink_to(SCENE_FILE)
     (tmp_path / "my").mkdir()
     shutil.copy(DATABASE, tmp_path / "my" / MODEL_FILE)
+    for name in ("motion.so", "so.png", "table.png", "my/deep.xml", "my/floor.png", "parts/bone.obj"):
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_text("")
+    (tmp_path / "lab").mkdir()
+    shutil.copy(LAB_LANDMARKS, tmp_path / "parts" / "bones.csv")
+    (tmp_path / "lab" / "scene.xml").hardlink_to(tmp_path / "parts" / "bones.csv")
+    (tmp_path / "parts" / "hard.obj").hardlink_to(tmp_path / "my" / MODEL_FILE)
+    (tmp_path / "my" / "deep.xml").write_text('<mujoco><asset><texture fileup="floor.png"/></asset></mujoco>')
+    (tmp_path / "whole.xml").write_text(
+        '<mujoco><compiler meshdir="parts" strippath="true"/><include file="my/deep.xml"/>'
+        '<include file="whole.xml"/><asset><mesh file="gone/bone.obj"/></asset></mujoco>'
+    )
 
 
 SIMULATE = ("simulate", SCENE_FILE, "--motion", "motion.csv")
@@ -79,6 +92,65 @@ POSE = ("solve", "--elevation=60", "--plane=40")
             ("thorax", "--anatomy", "landmarks.csv", "--out", "landmarks.csv"),
             "--out landmarks.csv",
             "--anatomy landmarks.csv",
+        ),
+        (
+            ("thorax", "--table", "table.csv", "--out", "table.csv"),
+            "--out table.csv",
+            "--table table.csv",
+        ),
+        (
+            ("thorax", "--thorax", "ellipsoids.csv", "--out", "ellipsoids.csv"),
+            "--out ellipsoids.csv",
+            "--thorax ellipsoids.csv",
+        ),
+        *(
+            (
+                ("generate", option, f"my/{MODEL_FILE}", "--out", "my"),
+                f"--out my/{MODEL_FILE}",
+                f"{option} my/{MODEL_FILE}",
+            )
+            for option in ("--anatomy", "--thorax", "--plugin")
+        ),
+        (
+            ("generate", "--skin", "parts/hard.obj", "--skin-landmarks", "parts/bones.csv", "--out", "my"),
+            f"--out my/{MODEL_FILE}",
+            "--skin parts/hard.obj",
+        ),
+        (
+            ("generate", "--skin", "parts/bone.obj", "--skin-landmarks", "parts/bones.csv", "--out", "lab"),
+            "--out lab/scene.xml",
+            "--skin-landmarks parts/bones.csv",
+        ),
+        (
+            (*SIMULATE, "--plugin", "motion.so", "--trace", "motion.so"),
+            "--trace motion.so",
+            "--plugin motion.so",
+        ),
+        (
+            ("render", SCENE_FILE, "--plugin", "so.png", "--out", "so.png"),
+            "--out so.png",
+            "--plugin so.png",
+        ),
+        (
+            ("render", SCENE_FILE, "--table", "table.png", "--out", "table.png"),
+            "--out table.png",
+            "--table table.png",
+        ),
+        ((*SIMULATE, "--trace", MODEL_FILE), f"--trace {MODEL_FILE}", f"the model's file {MODEL_FILE}"),
+        (
+            ("simulate", "whole.xml", "--motion", "motion.csv", "--trace", "my/deep.xml"),
+            "--trace my/deep.xml",
+            "the model's file my/deep.xml",
+        ),
+        (
+            ("simulate", "whole.xml", "--motion", "motion.csv", "--controls", "parts/bone.obj"),
+            "--controls parts/bone.obj",
+            "the model's file parts/bone.obj",
+        ),
+        (
+            ("render", "whole.xml", "--out", "my/floor.png"),
+            "--out my/floor.png",
+            "the model's file my/floor.png",
         ),
         (
             ("generate", "--table", f"my/{MODEL_FILE}", "--out", "my"),

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "mjcf/files_of_model.h"
+
+#include <tinyxml2.h>
+
+#include <filesystem>
+#include <set>
+#include <string_view>
+#include <system_error>
+
+namespace girdle {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Names in the order of their file, with the folders beside which they may be.
+class FileSearch {
+ public:
+  explicit FileSearch(const std::string& model) : top_(fs::path(model).parent_path()) {
+    Read(model);
+  }
+
+  [[nodiscard]] std::vector<std::string> Found() const {
+    std::set<std::string> found;
+    for (const Name& name : names_) {
+      for (const fs::path& folder : {top_, name.folder}) {
+        AddThoseIn(folder, name.file, found);
+        for (const fs::path& assets : asset_folders_) {
+          AddThoseIn(folder / assets, name.file, found);
+        }
+      }
+    }
+    return {found.begin(), found.end()};
+  }
+
+ private:
+  struct Name {
+    fs::path file;
+    fs::path folder;  // of the file that has it
+  };
+
+  void Read(const fs::path& file) {
+    std::error_code unclear;
+    tinyxml2::XMLDocument document;
+    if (!fs::is_regular_file(file, unclear) ||
+        !read_.insert(fs::weakly_canonical(file, unclear)).second ||
+        document.LoadFile(file.c_str()) != tinyxml2::XML_SUCCESS) {
+      return;
+    }
+    for (const auto* child = document.RootElement(); child != nullptr;
+         child = child->NextSiblingElement()) {
+      ReadElement(*child, file.parent_path());
+    }
+  }
+
+  void ReadElement(const tinyxml2::XMLElement& element, const fs::path& folder) {
+    const bool is_compiler = element.Name() == std::string_view("compiler");
+    const bool is_include = element.Name() == std::string_view("include");
+    for (const auto* attribute = element.FirstAttribute(); attribute != nullptr;
+         attribute = attribute->Next()) {
+      const std::string_view name = attribute->Name();
+      if (is_compiler && name.ends_with("dir")) {
+        asset_folders_.insert(attribute->Value());
+      } else if (name.starts_with("file")) {  // a texture of a cube has six: fileright, ...
+        names_.push_back({attribute->Value(), folder});
+      }
+      if (is_include && name == "file") {
+        Read(top_ / attribute->Value());
+        Read(folder / attribute->Value());
+      }
+    }
+    for (const auto* child = element.FirstChildElement(); child != nullptr;
+         child = child->NextSiblingElement()) {
+      ReadElement(*child, folder);
+    }
+  }
+
+  // With strippath MuJoCo takes the last part of a name alone.
+  static void AddThoseIn(const fs::path& folder, const fs::path& file,
+                         std::set<std::string>& found) {
+    std::error_code unclear;
+    for (const fs::path& place : {folder / file, folder / file.filename()}) {
+      if (fs::is_regular_file(place, unclear)) {
+        found.insert(place.string());
+      }
+    }
+  }
+
+  fs::path top_;
+  std::set<fs::path> read_;
+  std::set<fs::path> asset_folders_;
+  std::vector<Name> names_;
+};
+
+}  // namespace
+
+std::vector<std::string> FilesOfModel(const std::string& model) {
+  return FileSearch(model).Found();
+}
+
+}  // namespace girdle
