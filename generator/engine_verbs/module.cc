@@ -15,6 +15,7 @@
 #include "kinematics/worst_case.h"
 #include "motions/motion.h"
 #include "names/longest_timestep.h"
+#include "names/open_loop.h"
 #include "pictures/frame_renderer.h"
 #include "pictures/gl_context.h"
 #include "pictures/png_file.h"
@@ -127,8 +128,7 @@ ShoulderSimulation SimulationFor(const std::string& model_path, std::optional<Si
 }
 
 // What the plugin would say of the time step, were it in the model.
-std::string StepFault(const LoadedShoulders& loaded) {
-  const mjOption& option = loaded.model().opt;
+std::string StepFault(const mjOption& option, Assembly assembly) {
   const bool is_explicit = (option.disableflags & mjDSBL_EULERDAMP) != 0;
   DampingScheme scheme = DampingScheme::kImplicit;
   if (option.integrator == mjINT_RK4) {
@@ -136,7 +136,27 @@ std::string StepFault(const LoadedShoulders& loaded) {
   } else if (option.integrator == mjINT_EULER && is_explicit) {
     scheme = DampingScheme::kExplicitEuler;
   }
-  return TimestepFault(option.timestep, loaded.elements().assembly, scheme);
+  return TimestepFault(option.timestep, assembly, scheme);
+}
+
+// What the plugin would say of time step and loops of a model without it.
+std::string PositionModelFault(const LoadedShoulders& loaded) {
+  const mjModel& model = loaded.model();
+  const std::string fault = StepFault(model.opt, loaded.elements().assembly);
+  for (const ShoulderElements& elements : loaded.shoulders()) {
+    if (!fault.empty() || elements.assembly != Assembly::kLoop) {
+      break;
+    }
+    const std::string open = OpenLoopFault(
+        {.constraints_are_disabled = (model.opt.disableflags & mjDSBL_CONSTRAINT) != 0,
+         .equalities_are_disabled = (model.opt.disableflags & mjDSBL_EQUALITY) != 0,
+         .has_connect = true,  // or its name would not have been found
+         .starts_inactive = model.eq_active0[elements.connect] == 0});
+    if (!open.empty()) {
+      return open;
+    }
+  }
+  return fault;
 }
 
 // Refuses to write controls that say less than the model does.
@@ -171,8 +191,8 @@ SimulationSummary Simulate(const std::string& model_path, const std::string& plu
   const EngineWatch watch;
   LoadPlugin(plugin);
   ShoulderSimulation simulation = SimulationFor(model_path, request.side, rhythm);
-  const std::string fault =
-      simulation.has_plugin() ? EngineWatch::TakeModelFault() : StepFault(simulation.loaded());
+  const std::string fault = simulation.has_plugin() ? EngineWatch::TakeModelFault()
+                                                    : PositionModelFault(simulation.loaded());
   if (!fault.empty()) {
     throw InputError(model_path + ": " + fault);
   }

@@ -12,6 +12,7 @@
 
 #include "kinematics/lengths.h"
 #include "names/longest_timestep.h"
+#include "names/open_loop.h"
 #include "text/number_text.h"
 
 namespace girdle {
@@ -83,13 +84,14 @@ class FaultFinder {
     if (binding_.assembly != Assembly::kLoop) {
       return;
     }
-    if (model_.Disables(model_.engine->disable_equality)) {
-      Add("nothing holds the AC joint of the loop, because constraints are disabled: write <flag "
-          "equality=\"enable\"/> in <option>");
-    } else if (binding_.closing_connect && compiled_.eq_active0[*binding_.closing_connect] == 0) {
-      Add("nothing holds the AC joint of the loop, because its <connect> starts inactive: write "
-          "active=\"true\" there");
-    }
+    const std::vector<int>& connects = binding_.closing_connects;
+    Add(OpenLoopFault(
+        {.constraints_are_disabled = model_.Disables(model_.engine->disable_constraint),
+         .equalities_are_disabled = model_.Disables(model_.engine->disable_equality),
+         .has_connect = !connects.empty(),
+         .starts_inactive = std::none_of(connects.begin(), connects.end(), [this](int connect) {
+           return compiled_.eq_active0[connect] != 0;
+         })}));
   }
 
   [[nodiscard]] int ActuatorOf(const BoundServo& servo) const {

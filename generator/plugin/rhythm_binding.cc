@@ -273,7 +273,7 @@ class RhythmBinder {
   void FindClavicle() {
     binding_.p_TC_m = ToTheRight(model_.body_pos + 3 * binding_.clavicle_body);
     if (binding_.assembly == Assembly::kLoop) {
-      FindConnect();
+      FindConnects();
     } else if (model_.body_parentid[binding_.scapula_body] == binding_.clavicle_body) {
       binding_.p_CS_m = ToTheRight(model_.body_pos + 3 * binding_.scapula_body);
     }
@@ -289,8 +289,8 @@ class RhythmBinder {
     return OnSide(config_.side, Vector3(p[0], p[1], p[2]));
   }
 
-  // The connect of the two bones, and where on the clavicle it is.
-  void FindConnect() {
+  // The connects of the two bones, and where on the clavicle the first one is.
+  void FindConnects() {
     for (int equality = 0; equality < model_.neq; ++equality) {
       if (model_.eq_type[equality] != model_.engine->equality_connect ||
           model_.eq_objtype[equality] != model_.engine->object_site) {
@@ -301,9 +301,10 @@ class RhythmBinder {
                                          model_.site_bodyid[sites[1]]};
       for (const std::size_t own : {std::size_t{0}, std::size_t{1}}) {
         if (bodies[own] == binding_.clavicle_body && bodies[1 - own] == binding_.scapula_body) {
-          binding_.closing_connect = equality;
-          binding_.p_CS_m = ToTheRight(model_.site_pos + 3 * sites[own]);
-          return;
+          if (binding_.closing_connects.empty()) {
+            binding_.p_CS_m = ToTheRight(model_.site_pos + 3 * sites[own]);
+          }
+          binding_.closing_connects.push_back(equality);
         }
       }
     }

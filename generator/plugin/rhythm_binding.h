@@ -47,7 +47,9 @@ struct RhythmBinding {
   /// in a loop where a connect holds it. Where servos drive the scapula's place it is always there.
   Vector3 p_TC_m{0, 0, 0};
   std::optional<Vector3> p_CS_m;
-  std::optional<int> closing_connect;  ///< of a loop, the equality that holds AC's place there
+  /// Of a loop, the equalities that connect a site of the clavicle to one of the scapula. AC is
+  /// where the first one is.
+  std::vector<int> closing_connects;
 };
 
 /// Finds the elements of an instance and checks them and the configuration against each other.

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+/// What leaves the AC joint of a loop open. Plugin and program say the same of it.
+#pragma once
+
+#include <string>
+
+namespace girdle {
+
+/// What a compiled model says of what closes a loop.
+struct LoopClosing {
+  bool constraints_are_disabled = false;
+  bool equalities_are_disabled = false;
+  bool has_connect = false;      ///< of a site of the clavicle and one of the scapula
+  bool starts_inactive = false;  ///< all of them do
+};
+
+/// Returns what leaves the joint open and the line to write, or nothing.
+[[nodiscard]] inline std::string OpenLoopFault(const LoopClosing& closing) {
+  const auto fault = [](const std::string& reason, const std::string& line) {
+    return "nothing holds the AC joint of the loop, because " + reason + ": write " + line;
+  };
+  if (closing.constraints_are_disabled) {
+    return fault("constraints are disabled", "<flag constraint=\"enable\"/> in <option>");
+  }
+  if (closing.equalities_are_disabled) {
+    return fault("equalities are disabled", "<flag equality=\"enable\"/> in <option>");
+  }
+  if (!closing.has_connect) {
+    return fault("no <connect> joins clavicle and scapula",
+                 "<connect site1=\"...\" site2=\"...\"/> in <equality>, with a site of each bone "
+                 "where the joint is");
+  }
+  return closing.starts_inactive ? fault("its <connect> starts inactive", "active=\"true\" there")
+                                 : "";
+}
+
+}  // namespace girdle
