@@ -20,13 +20,15 @@ constexpr double kTranslationTrimRange_m = 0.03;
 constexpr double kFastestCommand_rad_per_s = 150;
 
 // From the least to the largest axial turn that the joint's range allows anywhere, on a grid of 1
-// deg, and all of ISB's angles, which whole turns do not change: what is too much at a place the
-// rhythm bounds there.
-CoordinateRange AxialRangeFrom(AxialFrom zero, const ModelPlan& plan) {
+// deg: what is too much at a place the rhythm bounds there. Where turns are angles, all of them,
+// which whole turns do not change.
+CoordinateRange AxialRange(const ModelPlan& plan) {
+  const AxialFrom zero = plan.options.axial_from;
   const ShoulderRhythm& rhythm = plan.rhythm();
   const ArmRectangle& domain = rhythm.domain();
   const CoordinateRange& joint = plan.anatomy.ranges[kGhAxialIndex];
-  CoordinateRange range{-kPi, kPi};
+  CoordinateRange range =
+      zero == AxialFrom::kRhythm ? CoordinateRange{0, 0} : CoordinateRange{-kPi, kPi};
   for (const double elevation_rad :
        EvenSteps(domain.lowest_elevation_rad, domain.highest_elevation_rad)) {
     for (const double plane_rad :
@@ -41,26 +43,6 @@ CoordinateRange AxialRangeFrom(AxialFrom zero, const ModelPlan& plan) {
   return range;
 }
 
-// The axial turns that keep the table's own GH within its range at every position. Where closure
-// has turned GH further the rhythm bounds them by the joint's range.
-CoordinateRange AxialRange(const ModelPlan& plan) {
-  if (plan.options.axial_from != AxialFrom::kRhythm) {
-    return AxialRangeFrom(plan.options.axial_from, plan);
-  }
-  const RhythmTable& table = plan.rhythm().table();
-  double lowest_rad = table.position(0, 0).angles_rad[kGhAxialIndex];
-  double highest_rad = lowest_rad;
-  for (std::size_t plane = 0; plane < table.planes_rad().size(); ++plane) {
-    for (std::size_t elevation = 0; elevation < table.elevations_rad().size(); ++elevation) {
-      const double axial_rad = table.position(plane, elevation).angles_rad[kGhAxialIndex];
-      lowest_rad = std::min(lowest_rad, axial_rad);
-      highest_rad = std::max(highest_rad, axial_rad);
-    }
-  }
-  const CoordinateRange& range = plan.anatomy.ranges[kGhAxialIndex];
-  return {range.lower_rad - lowest_rad, range.upper_rad - highest_rad};
-}
-
 void WritePluginActuators(const ModelPlan& plan, XmlElement& actuator, Side side) {
   const ArmRectangle& domain = plan.rhythm().domain();
   // A command has no force of its own; MuJoCo wants it to act on something all the same.
@@ -70,7 +52,8 @@ void WritePluginActuators(const ModelPlan& plan, XmlElement& actuator, Side side
         .Set("joint", SidedName(kCoordinateNames[kGhAxialIndex], side))
         .Set("instance", SidedName(kRhythmName, side))
         .Set("gear", 0)
-        .Set("ctrlrange", std::array{range.lower_rad, range.upper_rad});
+        .Set("ctrlrange", std::array{range.lower_rad, range.upper_rad})
+        .Set("class", kDefaultsName);
   };
   write_command(kCommandNames[0], {domain.lowest_elevation_rad, domain.highest_elevation_rad});
   // An angle: MuJoCo clips controls to their ranges before the rhythm, which answers every plane,
@@ -91,7 +74,8 @@ void WritePluginActuators(const ModelPlan& plan, XmlElement& actuator, Side side
         .Set("name", SidedName(coordinate, side))
         .Set("joint", SidedName(coordinate, side))
         .Set("instance", SidedName(kRhythmName, side))
-        .Set("ctrlrange", std::array{-trim, trim});
+        .Set("ctrlrange", std::array{-trim, trim})
+        .Set("class", kDefaultsName);
   };
   for (const std::string_view coordinate : plan.coordinates) {
     write_servo(coordinate, kTrimRange_rad);
@@ -111,7 +95,8 @@ void WritePositionActuators(const ModelPlan& plan, XmlElement& actuator, Side si
           .Set("name", SidedName(plan.coordinates[k], side))
           .Set("joint", SidedName(plan.coordinates[k], side))
           .Set("kp", plan.StiffnessOf(k))
-          .Set("ctrlrange", std::array{range.lower_rad, range.upper_rad});
+          .Set("ctrlrange", std::array{range.lower_rad, range.upper_rad})
+          .Set("class", kDefaultsName);
     }
   }
   if (plan.drives_place()) {
@@ -119,7 +104,8 @@ void WritePositionActuators(const ModelPlan& plan, XmlElement& actuator, Side si
       actuator.Add("position")
           .Set("name", SidedName(translation, side))
           .Set("joint", SidedName(translation, side))
-          .Set("kp", kLeadingTranslation.stiffness_N_per_m);
+          .Set("kp", kLeadingTranslation.stiffness_N_per_m)
+          .Set("class", kDefaultsName);
     }
   }
 }

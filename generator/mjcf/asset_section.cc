@@ -43,28 +43,86 @@ void WriteMesh(XmlElement asset, const std::string& name, const TriangleMesh& me
       faces += (faces.empty() ? "" : " ") + std::to_string(vertex);
     }
   }
-  asset.Add("mesh").Set("name", name).Set("vertex", vertices).Set("face", faces);
+  asset.Add("mesh")
+      .Set("name", name)
+      .Set("class", kDefaultsName)
+      .Set("vertex", vertices)
+      .Set("face", faces);
+}
+
+// There is a limit where an element has a range of its own.
+constexpr const char* kAsRange = "auto";
+constexpr std::array kNone = {0.0, 0.0};
+
+// MuJoCo keeps one set of defaults for actuators of all kinds.
+void WriteActuatorDefaults(const ModelPlan& plan, XmlElement girdle) {
+  if (!plan.has_plugin()) {
+    girdle.Add("position").Set("inheritrange", 0);
+  }
+  XmlElement general = girdle.Add("general");
+  general.Set("gear", 1)
+      .Set("dyntype", "none")
+      .Set("dynprm", 1)
+      .Set("gainprm", std::array{1.0, 0.0, 0.0})
+      .Set("biasprm", std::array{0.0, 0.0, 0.0})
+      .Set("ctrlrange", kNone)
+      .Set("ctrllimited", kAsRange)
+      .Set("actrange", kNone)
+      .Set("actlimited", kAsRange)
+      .Set("forcerange", kNone)
+      .Set("forcelimited", kAsRange);
+  if (plan.has_plugin()) {
+    general.Set("gaintype", "fixed").Set("biastype", "none");
+  }
 }
 
 }  // namespace
 
-void WriteDefaults(const ModelPlan& /*plan*/, XmlElement root) {
-  XmlElement girdle = root.Add("default").Add("default").Set("class", "girdle");
+// A model that includes this one has defaults of its own, which reach everything that is not said
+// here or at the element itself.
+void WriteDefaults(const ModelPlan& plan, XmlElement root) {
+  constexpr Vector3 kOrigin{0, 0, 0};
+  XmlElement girdle = root.Add("default").Add("default").Set("class", kDefaultsName);
+  girdle.Add("mesh").Set("scale", Vector3{1, 1, 1});
+  girdle.Add("joint")
+      .Set("type", "hinge")
+      .Set("pos", kOrigin)
+      .Set("stiffness", 0)
+      .Set("springdamper", std::array{0.0, 0.0})
+      .Set("frictionloss", 0)
+      .Set("margin", 0)
+      .Set("range", kNone)
+      .Set("limited", kAsRange)
+      .Set("actuatorfrcrange", kNone)
+      .Set("actuatorfrclimited", kAsRange);
   // Bones are drawn; they neither collide nor weigh.
   girdle.Add("geom")
+      .Set("pos", kOrigin)
       .Set("contype", 0)
       .Set("conaffinity", 0)
       .Set("group", 1)
       .Set("mass", 0)
       .Set("material", "bone");
   girdle.Add("site")
+      .Set("pos", kOrigin)
       .Set("size", kLandmarkRadius_m)
       .Set("group", 3)
       .Set("rgba", std::array{0.85, 0.25, 0.1, 1.0});
   girdle.Add("tendon")
+      .Set("limited", kAsRange)
+      .Set("damping", 0)
+      .Set("frictionloss", 0)
+      .Set("margin", 0)
       .Set("width", kLigamentRadius_m)
       .Set("group", 2)
       .Set("rgba", std::array{0.93, 0.93, 0.88, 1.0});
+  if (plan.is_loop()) {
+    girdle.Add("equality").Set("active", "true");
+  }
+  if (plan.options.has_thorax_contact) {
+    girdle.Add("pair").Set("margin", 0).Set("gap", 0);
+  }
+  WriteActuatorDefaults(plan, girdle);
 }
 
 void WriteAssets(const ModelPlan& plan, XmlElement root) {

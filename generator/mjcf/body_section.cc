@@ -165,7 +165,7 @@ void WriteBodies(const ModelPlan& plan, XmlElement root) {
                           .Set("name", "thorax")
                           .Set("pos", Vector3{0, 0, plan.anatomy.jugular_notch_height_m})
                           .Set("quat", ThoraxInWorld())
-                          .Set("childclass", "girdle");
+                          .Set("childclass", kDefaultsName);
   WriteInertial(plan, thorax, Segment::kThorax, plan.sides.front());
   thorax.Add("geom")
       .Set("name", "ribcage")

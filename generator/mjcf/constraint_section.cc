@@ -26,7 +26,8 @@ void WriteContacts(const ModelPlan& plan, XmlElement root) {
           .Set("geom2", SidedName(DefinitionOf(landmark).name, side))
           .Set("condim", 1)
           .Set("solref", solref)
-          .Set("solimp", kThoraxContactSolimp);
+          .Set("solimp", kThoraxContactSolimp)
+          .Set("class", kDefaultsName);
     }
   }
 }
@@ -42,7 +43,8 @@ void WriteEqualities(const ModelPlan& plan, XmlElement root) {
         .Set("site1", SidedName(kJointSites[1].parent, side))
         .Set("site2", SidedName(kJointSites[1].child, side))
         .Set("solref", kConnectSolref)
-        .Set("solimp", kConnectSolimp);
+        .Set("solimp", kConnectSolimp)
+        .Set("class", kDefaultsName);
   }
 }
 

@@ -19,7 +19,7 @@ void WriteLigaments(const ModelPlan& plan, XmlElement root) {
       XmlElement spatial =
           tendon.Add("spatial")
               .Set("name", SidedName(kLigamentNames[i], side))
-              .Set("class", "girdle")
+              .Set("class", kDefaultsName)
               .Set("stiffness", ligament.stiffness_N_per_m)
               .Set("springlength", std::array{0.0, plan.slack_m[i]})
               .Set("range", std::array{0.0, TearingLength_m(ligament, plan.slack_m[i])});

@@ -69,6 +69,8 @@ inline constexpr CoordinateRange kProtractionRange = {-25 * kRadiansPerDegree,
 
 /// Stem of the plugin's instance and of its sensor.
 inline constexpr std::string_view kRhythmName = "rhythm";
+/// Class of defaults of all elements of a model.
+inline constexpr std::string_view kDefaultsName = "girdle";
 
 /// What the plugin's sensor holds, all in radians.
 namespace sensor_layout {

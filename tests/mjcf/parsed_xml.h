@@ -6,6 +6,7 @@
 
 #include <tinyxml2.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdlib>
 #include <sstream>
@@ -42,6 +43,16 @@ class ParsedXml {
 
   [[nodiscard]] std::vector<const tinyxml2::XMLElement*> All(const std::string& tag) const {
     return All(root(), tag);
+  }
+
+  /// All elements with this tag that are parts of the model, and not defaults for them.
+  [[nodiscard]] std::vector<const tinyxml2::XMLElement*> Parts(const std::string& tag) const {
+    const auto defaults = All(Child("default"), tag);
+    auto parts = All(tag);
+    std::erase_if(parts, [&](const auto* element) {
+      return std::find(defaults.begin(), defaults.end(), element) != defaults.end();
+    });
+    return parts;
   }
 
   /// The one element with this tag and name.

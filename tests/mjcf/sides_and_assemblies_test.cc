@@ -414,7 +414,7 @@ TEST_P(Loop, GivesTheScapulaThreeSlidesAndThenThreeHinges) {
   }
   EXPECT_EQ(names, (std::vector<std::string>{kSlides[0], kSlides[1], kSlides[2], kTurns[0],
                                              kTurns[1], kTurns[2]}));
-  EXPECT_EQ(model_.All("joint").size(), 12U);
+  EXPECT_EQ(model_.Parts("joint").size(), 12U);
 }
 
 // A slide's axis is given in the body's frame, as it stands.

@@ -123,7 +123,7 @@ TEST(LigamentSlack, IsTheAnatomysWhereTheRhythmStaysInTheTable) {
 TEST_P(EitherAssembly, TouchesTheThoraxWithTsAndAiAlone) {
   const ParsedXml model =
       Model({.sides = Sides::kBoth, .assembly = GetParam(), .has_thorax_contact = true});
-  EXPECT_EQ(model.All("pair").size(), 4U);
+  EXPECT_EQ(model.Parts("pair").size(), 4U);
   for (const auto& [suffix, side] : {std::pair("_r", 1.0), std::pair("_l", -1.0)}) {
     const Vector3 mirror{1, 1, side};
     const auto& surface = model.Named("geom", std::string("gliding") + suffix);
@@ -150,8 +150,8 @@ TEST_P(EitherAssembly, TouchesTheThoraxWithTsAndAiAlone) {
 
 TEST_P(EitherAssembly, TouchesNothingUnlessTold) {
   const ParsedXml model = Model({.assembly = GetParam()});
-  EXPECT_TRUE(model.All("pair").empty());
-  for (const auto* geom : model.All("geom")) {
+  EXPECT_TRUE(model.Parts("pair").empty());
+  for (const auto* geom : model.Parts("geom")) {
     const char* const name = geom->Attribute("name");
     EXPECT_STRNE(name == nullptr ? "" : name, "gliding_r");
   }

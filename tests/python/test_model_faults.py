@@ -44,6 +44,16 @@ def model_with(source: Path, change: Callable[[str], str], tmp_path: Path) -> mu
     return mujoco.MjModel.from_xml_path(str(path))
 
 
+def unguarded(source: Path, tmp_path: Path, put_into: tuple[str, str] = ("<mujoco", "<mujoco")) -> Path:
+    """A model whose defaults leave a parent's as they are, as of earlier versions."""
+    path = tmp_path / "unguarded.xml"
+    text, count = re.subn(r'<(joint type="hinge" pos="0 0 0"|general) [^>]*/>', "", source.read_text())
+    assert count == 2
+    assert put_into[0] in text
+    path.write_text(text.replace(*put_into))
+    return path
+
+
 def parent_of(source: Path, before: str, after: str, tmp_path: Path) -> mujoco.MjModel:
     path = tmp_path / "parent.xml"
     path.write_text(f'<mujoco>{before}<include file="{source}"/>{after}</mujoco>')
@@ -112,10 +122,32 @@ def test_a_loop_that_nothing_closes(warnings: list[str]) -> None:
     model.eq_active0[0] = 0
     assert 'its <connect> starts inactive: write active="true" there' in said_of(model, warnings)
     model.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_EQUALITY)
-    assert 'constraints are disabled: write <flag equality="enable"/> in <option>' in said_of(model, warnings)
+    assert 'equalities are disabled: write <flag equality="enable"/> in <option>' in said_of(model, warnings)
+    model.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_CONSTRAINT)
+    said = said_of(model, warnings)
+    assert 'constraints are disabled: write <flag constraint="enable"/> in <option>' in said
     tree = mujoco.MjModel.from_xml_path(str(TREE))
     tree.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_EQUALITY)
     assert said_of(tree, warnings) == ""
+
+
+CONNECT = re.compile(r'<connect name="AC_r" (.*?)/>')
+
+
+@pytest.mark.parametrize(
+    ("equalities", "said"),
+    [
+        (r'<connect active="false" \1/><connect \1/>', ""),
+        (r'<connect active="false" \1/>', 'its <connect> starts inactive: write active="true" there'),
+        ("", 'no <connect> joins clavicle and scapula: write <connect site1="..." site2="..."/>'),
+    ],
+    ids=["one of two is active", "inactive", "none"],
+)
+def test_what_joins_the_bones_of_a_loop(
+    equalities: str, said: str, tmp_path: Path, warnings: list[str]
+) -> None:
+    model = model_with(LOOP, lambda text: CONNECT.sub(equalities, text), tmp_path)
+    assert (said in said_of(model, warnings)) if said else said_of(model, warnings) == ""
 
 
 @pytest.mark.parametrize("path", [TREE, LOOP], ids=["tree", "loop"])
@@ -125,7 +157,7 @@ def test_a_loop_that_nothing_closes(warnings: list[str]) -> None:
         (
             '<joint actuatorfrcrange="-10 10"/>',
             '<joint actuatorfrclimited="false"/> in <default class="girdle">',
-            ("<site size", '<joint actuatorfrclimited="false"/><site size'),
+            ('<site pos="0 0 0" size', '<joint actuatorfrclimited="false"/><site size'),
         ),
         (
             '<general forcerange="-10 10"/>',
@@ -143,13 +175,11 @@ def test_force_ranges_of_a_parents_defaults(
 
     assert (
         'joint "sc_protraction_r" gets no more than -10 to 10 N m of its servo, which needs 150 where it '
-        f"lags by 0.1 rad: write {line}" in with_defaults(path, defaults)
+        f"lags by 0.1 rad: write {line}" in with_defaults(unguarded(path, tmp_path), defaults)
     )
     # A servo is not held back by what it does not ask for.
-    assert with_defaults(path, defaults.replace("10", "160")) == ""
-    mended = tmp_path / "mended.xml"
-    mended.write_text(path.read_text().replace(*put_into))
-    assert with_defaults(mended, defaults) == ""
+    assert with_defaults(unguarded(path, tmp_path), defaults.replace("10", "160")) == ""
+    assert with_defaults(unguarded(path, tmp_path, put_into), defaults) == ""
 
 
 def test_a_disabled_damper(warnings: list[str]) -> None:
@@ -173,15 +203,14 @@ def test_a_disabled_damper(warnings: list[str]) -> None:
 def test_what_a_parents_defaults_give_the_joints(
     path: Path, inherited: str, what: str, line: str, tmp_path: Path, warnings: list[str]
 ) -> None:
-    model = parent_of(path, f"<default><joint {inherited}/></default>", "", tmp_path)
+    defaults = f"<default><joint {inherited}/></default>"
+    model = parent_of(unguarded(path, tmp_path), defaults, "", tmp_path)
     line = f"<joint {line}/>"
     said = said_of(model, warnings)
     assert f'joint "sc_protraction_r" has {what}, which' in said
     assert f'write {line} in <default class="girdle">' in said
-    mended = tmp_path / "mended.xml"
-    mended.write_text(path.read_text().replace("<site size", f"{line}<site size", 1))
-    model = parent_of(mended, f"<default><joint {inherited}/></default>", "", tmp_path)
-    assert said_of(model, warnings) == ""
+    mended = unguarded(path, tmp_path, ('<site pos="0 0 0" size', f"{line}<site size"))
+    assert said_of(parent_of(mended, defaults, "", tmp_path), warnings) == ""
 
 
 @pytest.mark.skipif(VERSION < (3, 7), reason="damping is linear")
