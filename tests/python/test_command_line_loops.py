@@ -104,6 +104,22 @@ def test_a_loop_holds_and_its_gap_is_reported(
     assert dict(stated) == {name: f"{round(gap_mm, 3):g}" for name, gap_mm in gaps_mm.items()}
 
 
+@pytest.mark.parametrize(("step_ms", "tolerance_mm"), [(2, 0.1), (5, 1.0)])
+def test_a_moving_loop_is_verified_by_what_its_step_can_hold(
+    girdle_fine: Girdle, tmp_path: Path, step_ms: int, tolerance_mm: float
+) -> None:
+    model = stepped(girdle_fine, tmp_path / "model", step_ms, "--assembly", "loop")
+    report = json.loads(girdle_fine("verify", model, "--json").text)
+    lines = {line["item"]: line for line in report["residuals"] if line["group"] == "joint constraint"}
+    for side in ("right", "left"):
+        for moving in ("AC moving", "AC at 1 Hz"):
+            line = lines[f"{moving}, {side}"]
+            assert line["tolerance"] == tolerance_mm
+            # It would not hold what a shorter step holds.
+            assert line["passed"]
+            assert (line["value"] > 0.1) == (step_ms > 2 and moving == "AC at 1 Hz")
+
+
 def test_a_tree_has_no_loop(girdle_fine: Girdle, tmp_path: Path, motion: Path) -> None:
     model = stepped(girdle_fine, tmp_path / "model", 2)
     assert "loop" not in girdle_fine("simulate", str(model), "--motion", str(motion)).text
@@ -123,6 +139,41 @@ def test_longer_steps_are_refused_with_the_longest_one(
             "the time step is 0.008 s, and the longest for a loop is 0.005 s",
             'write <option timestep="0.005" integrator="implicitfast"/>',
         ),
+    )
+
+
+@pytest.mark.parametrize(
+    ("own", "changed", "because"),
+    [
+        (
+            "<flag ",
+            '<flag constraint="disable" ',
+            ("constraints are disabled", '<flag constraint="enable"/>'),
+        ),
+        ("<flag ", '<flag equality="disable" ', ("equalities are disabled", '<flag equality="enable"/>')),
+        ('name="AC_l" ', 'name="AC_l" active="false" ', ('active="true"', "starts inactive")),
+    ],
+)
+@pytest.mark.parametrize("actuation", ["plugin", "position"])
+def test_a_loop_that_nothing_closes_is_refused(
+    girdle_fine: Girdle,
+    refuses: Refuses,
+    tmp_path: Path,
+    motion: Path,
+    actuation: str,
+    own: str,
+    changed: str,
+    because: tuple[str, str],
+) -> None:
+    loop = ("--assembly", "loop", "--actuation", actuation)
+    path = stepped(girdle_fine, tmp_path / "model", 2, *loop)
+    model = path.read_text()
+    model = re.sub(r"(<option [^>]*)/>", r"\1><flag /></option>", model, count=1)
+    assert model.count(own) == 1
+    path.write_text(model.replace(own, changed))
+    refuses(
+        *("simulate", str(path), "--motion", str(motion)),
+        because=("nothing holds the AC joint of the loop", *because),
     )
 
 
