@@ -189,9 +189,10 @@ class ShoulderRhythm {
   /// for -10: of the turns that differ by 360 deg it is that for which GH's axial coordinate is
   /// within half a turn of kGhAxialMiddle_rad. An angle cannot be brought to a range without a
   /// jump. There is one, where GH's axial coordinate would be 135 or, the same, -225 deg: the
-  /// answer passes from one end of GH's range to the other, with the built-in ranges by 240 deg,
-  /// and by the share of that which counts. Everywhere else, and with the rhythm's zero everywhere,
-  /// the answer of the range whole to commands without offsets is continuous.
+  /// answer goes back by up to 360 deg times the share of the turn that counts, and by no more than
+  /// from one end of GH's range to the other, with the built-in ranges 240 deg. Everywhere else,
+  /// and with the rhythm's zero everywhere, the answer of the range whole to commands without
+  /// offsets is continuous.
   ///
   /// With squad or slerp: equations (4) to (12). Offsets turn the clavicle's angles; the scapula
   /// keeps its place on the clavicle, and with closure exact the arm its direction.
