@@ -182,7 +182,8 @@ void CheckNames(const MeasuredLandmarks& measured, const Anatomy& adult) {
                     (is_first ? second : first) + " " + MillimeterText(exchange->other_m) +
                     ", where bones of this size have " + misplaced + " at " +
                     MillimeterText(exchange->expected_m) + ": " + first + " and " + second +
-                    " have each other's place. Swap their names");
+                    " have each other's place. Swap their names, or measure " + misplaced +
+                    " again if they are right");
 }
 
 // Refuses landmarks of both sides of the body.

@@ -54,6 +54,7 @@ struct SimulateArguments {
 // An elevation of `--raise FROM:TO`.
 double RaiseElevation(const SimulateArguments& arguments, const std::string& text) {
   const std::string option = "--raise '" + *arguments.raise + "': ";
+  const AngleConvention convention = ReadingFrom(arguments.angles).convention;
   const std::optional<double> typed_deg = FiniteNumber(text);
   if (!typed_deg) {
     throw InputError(option + "'" + text +
@@ -61,10 +62,10 @@ double RaiseElevation(const SimulateArguments& arguments, const std::string& tex
                      "as 15:120");
   }
   try {
-    return RadiansFromDegrees(
-        ElevationRead_deg(*typed_deg, ReadingFrom(arguments.angles).convention));
+    return RadiansFromDegrees(ElevationRead_deg(*typed_deg, convention));
   } catch (const std::invalid_argument& error) {
-    throw InputError(option + text + ": " + error.what() + ", such as 15:120");
+    throw InputError(option + text + ": " + error.what() + ", such as " +
+                     (convention == AngleConvention::kIsb ? "-15:-120" : "15:120"));
   }
 }
 
@@ -202,7 +203,7 @@ std::string SummaryAsText(const SimulateArguments& arguments, const SimulationSu
                                   " lay outside the rhythm's or the controls' ranges; another pose "
                                   "was used\n"
                             : "") +
-         (tally.farthest_rad > 0
+         (tally.modelled > 0
               ? "up to " + RoundedText(DegreesFromRadians(tally.farthest_rad), kDecimals) +
                     " deg from measured positions: modelled, not measured\n"
               : "") +
@@ -224,14 +225,15 @@ void Simulate(const SimulateArguments& arguments) {
   if (arguments.controls == "-" && (arguments.json || arguments.trace == "-")) {
     throw InputError("--controls - wants standard output alone. Write one of them to a file");
   }
+  std::vector<NamedFile> read = ModelFiles(arguments.model);
+  read.insert(read.end(), {{"--motion", arguments.motion.value_or("")},
+                           {"--table", TableFile(arguments.rhythm.table)},
+                           {"--plugin", arguments.plugin}});
   ExpectFilesApart({{"--trace", arguments.trace},
                     {"--controls", arguments.controls},
                     {"--picture", arguments.picture},
                     {"--video", arguments.video}},
-                   {{"the model", arguments.model},
-                    {"--motion", arguments.motion.value_or("")},
-                    {"--table", TableFile(arguments.rhythm.table)},
-                    {"--plugin", arguments.plugin}});
+                   read);
   PictureRequest pictures = RequestedPictures(arguments);
   const SimulationModule& simulation = LoadSimulation();
   std::optional<OutputFile> trace;

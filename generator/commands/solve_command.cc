@@ -336,7 +336,7 @@ std::string PoseAsText(const ShoulderRhythm& rhythm, const TypedPose& typed,
     text += UsedAsText(rhythm, typed.command(), solution.used);
   }
   text += "origin          " + std::string(Name(solution.origin));
-  if (solution.distance_rad > 0) {
+  if (solution.origin == Origin::kModelled) {
     text += ", " + RoundedText(DegreesFromRadians(solution.distance_rad), kDecimals) +
             " deg from measured positions";
   }
@@ -432,6 +432,7 @@ RowOptions ChosenRowOptions(const SolveArguments& arguments) {
   options.reading = ReadingFrom(arguments.angles);
   options.reading.axial_from = ChosenAxialFrom(arguments);
   options.reading.must_have_axial = !arguments.axial_from.empty() && !arguments.axial_deg;
+  options.reading.has_axial_option = arguments.axial_deg.has_value();
   return options;
 }
 
@@ -517,7 +518,7 @@ void Solve(const SolveArguments& arguments) {
   }
   std::error_code unknown_size;
   if (std::filesystem::is_regular_file(arguments.in, unknown_size)) {
-    ExpectKnownUnit(arguments.in, ReadingFrom(arguments.angles));
+    ExpectKnownUnit(arguments.in, ChosenRowOptions(arguments).reading);
   }
   std::ifstream in = OpenTextFile(arguments.in);
   const std::uintmax_t bytes = std::filesystem::file_size(arguments.in, unknown_size);

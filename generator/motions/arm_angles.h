@@ -48,6 +48,8 @@ struct AngleReading {
   AxialFrom axial_from = AxialFrom::kRhythm;  ///< what a column of axial turns counts from
   /// Whether a file has to have that column: somebody said what it counts from.
   bool must_have_axial = false;
+  /// Whether rows of a file without that column have the axial turn of an option.
+  bool has_axial_option = false;
 };
 
 /// An elevation may be beyond its ends by as much [deg], as rounding and filters make it, and is

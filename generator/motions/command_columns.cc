@@ -6,10 +6,14 @@
 #include <algorithm>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "motions/axial_names.h"
 #include "names/model_names.h"
+#include "text/near_names.h"
 #include "text/number_text.h"
+#include "text/small_letters.h"
 
 namespace girdle {
 namespace {
@@ -24,6 +28,20 @@ double AngleOf(const CsvRows& row, std::size_t column, double number, const Read
   }
 }
 
+// Refuses a known name with radians for its unit, which only an option says.
+void ExpectNoRadianNames(const CsvReader& csv, const std::vector<std::string_view>& known) {
+  for (const std::string& column : csv.columns()) {
+    const std::string stem = PlainStem(column);
+    const auto meant = std::find_if(known.begin(), known.end(), [&](std::string_view name) {
+      return name.ends_with("_deg") && PlainStem(name) == stem;
+    });
+    if (meant != known.end() && InSmallLetters(column).find("rad") != std::string::npos) {
+      csv.Fail("column '" + column + "' is not known. Name it '" + std::string(*meant) +
+               "', whatever the unit, and give --angles rad");
+    }
+  }
+}
+
 }  // namespace
 
 CommandColumns::CommandColumns(const CsvReader& csv, const AngleReading& reading,
@@ -32,6 +50,7 @@ CommandColumns::CommandColumns(const CsvReader& csv, const AngleReading& reading
   std::vector<std::string_view> known = {kElevationColumn, kPlaneColumn, kAxialColumn, kShrugColumn,
                                          kProtractionColumn};
   known.insert(known.end(), further.begin(), further.end());
+  ExpectNoRadianNames(csv, known);
   csv.ExpectNoneNearly(known);
   elevation_ = csv.Column(kElevationColumn);
   plane_ = csv.Column(kPlaneColumn);
@@ -93,7 +112,8 @@ ArmCommand CommandColumns::Read(const CsvRows& row, const ArmCommand& otherwise,
   const double elevation = row.Number(elevation_);
   const double plane = row.Number(plane_);
   command.elevation_rad = AngleOf(row, elevation_, elevation, [&] {
-    return ElevationRead_deg(Degrees(elevation), reading_.convention, axial_.has_value());
+    return ElevationRead_deg(Degrees(elevation), reading_.convention,
+                             axial_.has_value() || reading_.has_axial_option);
   });
   command.plane_rad = AngleOf(row, plane_, plane, [&] { return PlaneRead_deg(Degrees(plane)); });
   if (axial_) {

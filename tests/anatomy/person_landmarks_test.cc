@@ -373,13 +373,16 @@ INSTANTIATE_TEST_SUITE_P(
                 "Measure them again"},
         CsvFlaw{"TS and AI", [](CsvText& text) { SwapNames(text, 6, 7); },
                 "t.csv:8: PAC to AI is 129 mm and to TS 186 mm, where bones of this size have AI "
-                "at 186 mm: TS and AI have each other's place. Swap their names"},
+                "at 186 mm: TS and AI have each other's place. Swap their names, or measure "
+                "AI again if they are right"},
         CsvFlaw{"PX and T8", [](CsvText& text) { SwapNames(text, 1, 3); },
                 "t.csv:3: IJ to PX is 232 mm and to T8 137 mm, where bones of this size have PX at "
-                "137 mm: PX and T8 have each other's place. Swap their names"},
+                "137 mm: PX and T8 have each other's place. Swap their names, or measure "
+                "PX again if they are right"},
         CsvFlaw{"IJ and C7", [](CsvText& text) { SwapNames(text, 0, 2); },
                 "t.csv:2: PX to IJ is 244 mm and to C7 137 mm, where bones of this size have IJ at "
-                "137 mm: IJ and C7 have each other's place. Swap their names"},
+                "137 mm: IJ and C7 have each other's place. Swap their names, or measure "
+                "IJ again if they are right"},
         CsvFlaw{"EM and EL", [](CsvText& text) { SwapNames(text, 13, 14); },
                 "t.csv:15: EL lies to the left of EM: they have each other's place. Swap their "
                 "names, or if they are right, negate x_m and z_m in the humerus's rows"},
@@ -430,7 +433,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "and EL have each other's place. Swap their names"},
         CsvFlaw{"AA and PC", [](CsvText& text) { SwapNames(text, 6, 9); },
                 "t.csv:8: TS to PC is 120 mm and to AA 139 mm, where bones of this size have PC at "
-                "139 mm: AA and PC have each other's place. Swap their names"},
+                "139 mm: AA and PC have each other's place. Swap their names, or measure "
+                "PC again if they are right"},
         CsvFlaw{"left shoulder",
                 [](CsvText& text) {
                   for (std::size_t row = 0; row < text.rows.size(); ++row) NegateZ(text, row);

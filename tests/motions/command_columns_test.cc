@@ -99,6 +99,17 @@ TEST(CommandColumns, AreReadAsRadians) {
   EXPECT_NEAR(DegreesFromRadians(command.protraction_rad), 30, 1e-9);
 }
 
+TEST(CommandColumns, AreTheSameInRadians) {
+  EXPECT_EQ(RefusalOf("Elevation [rad],plane_deg\n0.5,40\n"),
+            "t.csv:1: column 'Elevation [rad]' is not known. Name it 'elevation_deg', whatever the "
+            "unit, and give --angles rad");
+  EXPECT_EQ(RefusalOf("elevation_deg,plane_rad\n0.5,40\n").substr(0, 50),
+            "t.csv:1: column 'plane_rad' is not known. Name it ");
+  EXPECT_EQ(RefusalOf("elevation,plane_deg\n0.5,40\n"),
+            "t.csv:1: column 'elevation' is not known. Did you mean 'elevation_deg'? Correct its "
+            "name, or give it one that is less alike");
+}
+
 TEST(CommandColumns, AreRefusedWithPlaceValueAndFix) {
   EXPECT_EQ(RefusalOf("elevation_deg,plane_deg\n15,40\n-15,40\n"),
             "t.csv:3: elevation_deg is -15: elevation counts from 0, hanging, up to 180. ISB's "

@@ -199,6 +199,44 @@ def test_negative_elevations_are_refused_with_isbs_sign_named(
     refuses(*words, because=because)
 
 
+def test_an_axial_option_beside_negative_elevations_is_told_what_becomes_of_it(
+    refuses: Refuses, tmp_path: Path
+) -> None:
+    (tmp_path / "isb.csv").write_text(ISB_TEXT)
+    because = (*ISB_SAID, "which reads axial as ISB's third angle, too")
+    refuses("solve", "--in", "isb.csv", "--axial", "3", because=because)
+
+
+def test_the_sign_of_raise_is_shown_as_the_convention_has_it(refuses: Refuses, scene: Path) -> None:
+    words = ("simulate", scene, "--raise=15:120", "--convention", "isb")
+    refuses(*words, because=("such as -15:-120$",))
+
+
+HAND_BEHIND_THE_BACK = ((0, -45, -60, 90), (0.2, -50, -65, 100), (0.6, -50, -65, 60))
+
+
+def test_a_model_turns_the_arm_as_far_as_the_rhythm(traced: Traced) -> None:
+    """Controls bound no turn that the joint has room for."""
+    text = "time_s,elevation_deg,plane_deg,axial_deg\n" + "".join(
+        f"{','.join(map(str, row))}\n" for row in HAND_BEHIND_THE_BACK
+    )
+    rows = traced(text, "--convention", "isb")
+    by_time = {round(float(row["time_s"]), 6): row for row in rows}
+    for time_s, *_, axial_deg in HAND_BEHIND_THE_BACK:
+        assert float(by_time[time_s]["used_axial_isb_deg"]) == pytest.approx(axial_deg, abs=ROUNDING_DEG)
+
+
+def test_what_the_table_answers_is_not_called_modelled(girdle_fine: Girdle, tmp_path: Path) -> None:
+    folder = tmp_path / "clamp"
+    girdle_fine("generate", "--range", "clamp", "--out", folder)
+    (tmp_path / "motion.csv").write_text(motion_text(((0, 150, 40), (0.1, 170, 40))))
+    finished = girdle_fine("simulate", folder / "scene.xml", "--motion", "motion.csv")
+    assert "51 clamped (51 beyond the table), 0 modelled" in finished.message
+    assert "modelled" not in finished.text
+    said = girdle_fine("solve", "--elevation", "180", "--plane", "0", "--range", "clamp").text
+    assert re.search(r"^origin +measured$", said, re.MULTILINE)
+
+
 @pytest.mark.parametrize(
     ("words", "place"),
     [
