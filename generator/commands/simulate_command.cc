@@ -64,8 +64,8 @@ double RaiseElevation(const SimulateArguments& arguments, const std::string& tex
   try {
     return RadiansFromDegrees(ElevationRead_deg(*typed_deg, convention));
   } catch (const std::invalid_argument& error) {
-    throw InputError(option + text + ": " + error.what() + ", such as " +
-                     (convention == AngleConvention::kIsb ? "-15:-120" : "15:120"));
+    throw InputError(option + text + ": " + error.what() + ". Elevations such as " +
+                     (convention == AngleConvention::kIsb ? "-15:-120" : "15:120") + " are read");
   }
 }
 

@@ -16,6 +16,7 @@
 #include "motions/motion.h"
 #include "names/longest_timestep.h"
 #include "names/open_loop.h"
+#include "names/unfit_joints.h"
 #include "pictures/frame_renderer.h"
 #include "pictures/gl_context.h"
 #include "pictures/png_file.h"
@@ -139,24 +140,47 @@ std::string StepFault(const mjOption& option, Assembly assembly) {
   return TimestepFault(option.timestep, assembly, scheme);
 }
 
-// What the plugin would say of time step and loops of a model without it.
-std::string PositionModelFault(const LoadedShoulders& loaded) {
-  const mjModel& model = loaded.model();
-  const std::string fault = StepFault(model.opt, loaded.elements().assembly);
-  for (const ShoulderElements& elements : loaded.shoulders()) {
-    if (!fault.empty() || elements.assembly != Assembly::kLoop) {
-      break;
+// What the plugin would say of its loop.
+std::string OpenLoopFaultOf(const mjModel& model, const ShoulderElements& elements) {
+  const int clavicle = elements.bodies[static_cast<std::size_t>(Segment::kClavicle)];
+  const int scapula = elements.bodies[static_cast<std::size_t>(Segment::kScapula)];
+  LoopClosing closing = {
+      .constraints_are_disabled = (model.opt.disableflags & mjDSBL_CONSTRAINT) != 0,
+      .equalities_are_disabled = (model.opt.disableflags & mjDSBL_EQUALITY) != 0,
+      .has_connect = false,
+      .starts_inactive = true};
+  for (int i = 0; i < model.neq; ++i) {
+    if (model.eq_type[i] != mjEQ_CONNECT || model.eq_objtype[i] != mjOBJ_SITE) {
+      continue;
     }
-    const std::string open = OpenLoopFault(
-        {.constraints_are_disabled = (model.opt.disableflags & mjDSBL_CONSTRAINT) != 0,
-         .equalities_are_disabled = (model.opt.disableflags & mjDSBL_EQUALITY) != 0,
-         .has_connect = true,  // or its name would not have been found
-         .starts_inactive = model.eq_active0[elements.connect] == 0});
-    if (!open.empty()) {
-      return open;
+    const int first = model.site_bodyid[model.eq_obj1id[i]];
+    const int second = model.site_bodyid[model.eq_obj2id[i]];
+    if (std::minmax(first, second) == std::minmax(clavicle, scapula)) {
+      closing.has_connect = true;
+      closing.starts_inactive = closing.starts_inactive && model.eq_active0[i] == 0;
     }
   }
-  return fault;
+  return OpenLoopFault(closing);
+}
+
+// What the plugin would say of a model without it.
+std::string PositionModelFault(const LoadedShoulders& loaded) {
+  const mjModel& model = loaded.model();
+  double widest_rad = 0;
+  for (const CoordinateRange& range : loaded.ranges()) {
+    widest_rad = std::max(widest_rad, range.upper_rad - range.lower_rad);
+  }
+  std::vector<std::string> faults = {RangesFault(widest_rad),
+                                     StepFault(model.opt, loaded.elements().assembly)};
+  for (const ShoulderElements& elements : loaded.shoulders()) {
+    if (elements.assembly == Assembly::kLoop) {
+      faults.push_back(OpenLoopFaultOf(model, elements));
+    }
+  }
+  faults.push_back((model.opt.disableflags & mjDSBL_DAMPER) != 0 ? kDisabledDamperFault : "");
+  const auto first = std::find_if(faults.begin(), faults.end(),
+                                  [](const std::string& fault) { return !fault.empty(); });
+  return first == faults.end() ? "" : *first;
 }
 
 // Refuses to write controls that say less than the model does.

@@ -53,6 +53,9 @@ void WriteMesh(XmlElement asset, const std::string& name, const TriangleMesh& me
 // There is a limit where an element has a range of its own.
 constexpr const char* kAsRange = "auto";
 constexpr std::array kNone = {0.0, 0.0};
+// MuJoCo's own.
+constexpr std::array kLimitSolref = {0.02, 1.0};
+constexpr std::array kLimitSolimp = {0.9, 0.95, 0.001, 0.5, 2.0};
 
 // MuJoCo keeps one set of defaults for actuators of all kinds.
 void WriteActuatorDefaults(const ModelPlan& plan, XmlElement girdle) {
@@ -60,7 +63,7 @@ void WriteActuatorDefaults(const ModelPlan& plan, XmlElement girdle) {
     girdle.Add("position").Set("inheritrange", 0);
   }
   XmlElement general = girdle.Add("general");
-  general.Set("gear", 1)
+  general.Set("gear", std::array{1.0, 0.0, 0.0, 0.0, 0.0, 0.0})
       .Set("dyntype", "none")
       .Set("dynprm", 1)
       .Set("gainprm", std::array{1.0, 0.0, 0.0})
@@ -79,9 +82,11 @@ void WriteActuatorDefaults(const ModelPlan& plan, XmlElement girdle) {
 }  // namespace
 
 // A model that includes this one has defaults of its own, which reach everything that is not said
-// here or at the element itself.
+// here or at the element itself. What only some of the versions that are served know cannot be
+// said: armature, damping and delay of actuators, and damping and stiffness as curves.
 void WriteDefaults(const ModelPlan& plan, XmlElement root) {
   constexpr Vector3 kOrigin{0, 0, 0};
+  constexpr Quaternion kUnturned{1, 0, 0, 0};
   XmlElement girdle = root.Add("default").Add("default").Set("class", kDefaultsName);
   girdle.Add("mesh").Set("scale", Vector3{1, 1, 1});
   girdle.Add("joint")
@@ -91,6 +96,8 @@ void WriteDefaults(const ModelPlan& plan, XmlElement root) {
       .Set("springdamper", std::array{0.0, 0.0})
       .Set("frictionloss", 0)
       .Set("margin", 0)
+      .Set("solreflimit", kLimitSolref)
+      .Set("solimplimit", kLimitSolimp)
       .Set("range", kNone)
       .Set("limited", kAsRange)
       .Set("actuatorfrcrange", kNone)
@@ -98,6 +105,7 @@ void WriteDefaults(const ModelPlan& plan, XmlElement root) {
   // Bones are drawn; they neither collide nor weigh.
   girdle.Add("geom")
       .Set("pos", kOrigin)
+      .Set("quat", kUnturned)
       .Set("contype", 0)
       .Set("conaffinity", 0)
       .Set("group", 1)
@@ -105,11 +113,14 @@ void WriteDefaults(const ModelPlan& plan, XmlElement root) {
       .Set("material", "bone");
   girdle.Add("site")
       .Set("pos", kOrigin)
+      .Set("quat", kUnturned)
       .Set("size", kLandmarkRadius_m)
       .Set("group", 3)
       .Set("rgba", std::array{0.85, 0.25, 0.1, 1.0});
   girdle.Add("tendon")
       .Set("limited", kAsRange)
+      .Set("solreflimit", kLimitSolref)
+      .Set("solimplimit", kLimitSolimp)
       .Set("damping", 0)
       .Set("frictionloss", 0)
       .Set("margin", 0)

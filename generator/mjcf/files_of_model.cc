@@ -29,6 +29,9 @@ class FileSearch {
         AddThoseIn(folder, name.file, found);
         for (const fs::path& assets : asset_folders_) {
           AddThoseIn(folder / assets, name.file, found);
+          if (name.folder != top_) {
+            AddThoseIn(top_ / assets / name.folder.lexically_relative(top_), name.file, found);
+          }
         }
       }
     }
@@ -57,7 +60,8 @@ class FileSearch {
 
   void ReadElement(const tinyxml2::XMLElement& element, const fs::path& folder) {
     const bool is_compiler = element.Name() == std::string_view("compiler");
-    const bool is_include = element.Name() == std::string_view("include");
+    const bool is_model = element.Name() == std::string_view("include") ||
+                          element.Name() == std::string_view("model");
     for (const auto* attribute = element.FirstAttribute(); attribute != nullptr;
          attribute = attribute->Next()) {
       const std::string_view name = attribute->Name();
@@ -66,7 +70,7 @@ class FileSearch {
       } else if (name.starts_with("file")) {  // a texture of a cube has six: fileright, ...
         names_.push_back({attribute->Value(), folder});
       }
-      if (is_include && name == "file") {
+      if (is_model && name == "file") {
         Read(top_ / attribute->Value());
         Read(folder / attribute->Value());
       }

@@ -28,17 +28,32 @@ double AngleOf(const CsvRows& row, std::size_t column, double number, const Read
   }
 }
 
+bool IsInRadians(const std::string& column) {
+  const std::string small = InSmallLetters(column);
+  return small.find("rad") != std::string::npos && small.find("radi") != 0;
+}
+
 // Refuses a known name with radians for its unit, which only an option says.
-void ExpectNoRadianNames(const CsvReader& csv, const std::vector<std::string_view>& known) {
+void ExpectNoRadianNames(const CsvReader& csv, const std::vector<std::string_view>& known,
+                         bool is_unit_said) {
   for (const std::string& column : csv.columns()) {
     const std::string stem = PlainStem(column);
     const auto meant = std::find_if(known.begin(), known.end(), [&](std::string_view name) {
-      return name.ends_with("_deg") && PlainStem(name) == stem;
+      return name.ends_with("_deg") && PlainStem(name) == stem && !csv.HasColumn(std::string(name));
     });
-    if (meant != known.end() && InSmallLetters(column).find("rad") != std::string::npos) {
-      csv.Fail("column '" + column + "' is not known. Name it '" + std::string(*meant) +
-               "', whatever the unit, and give --angles rad");
+    if (meant == known.end() || !IsInRadians(column)) {
+      continue;
     }
+    const bool has_degrees = std::any_of(known.begin(), known.end(), [&](std::string_view name) {
+      return csv.HasColumn(std::string(name));
+    });
+    csv.Fail("column '" + column + "' is not known. " +
+             (has_degrees && !is_unit_said
+                  ? "All angles of a file have one unit: if the others are in degrees, write these "
+                    "in degrees, too, as '" +
+                        std::string(*meant) + "'"
+                  : "Name it '" + std::string(*meant) + "', whatever the unit" +
+                        (is_unit_said ? "" : ", and give --angles rad")));
   }
 }
 
@@ -50,7 +65,7 @@ CommandColumns::CommandColumns(const CsvReader& csv, const AngleReading& reading
   std::vector<std::string_view> known = {kElevationColumn, kPlaneColumn, kAxialColumn, kShrugColumn,
                                          kProtractionColumn};
   known.insert(known.end(), further.begin(), further.end());
-  ExpectNoRadianNames(csv, known);
+  ExpectNoRadianNames(csv, known, reading.unit.has_value());
   csv.ExpectNoneNearly(known);
   elevation_ = csv.Column(kElevationColumn);
   plane_ = csv.Column(kPlaneColumn);

@@ -13,14 +13,12 @@
 #include "kinematics/lengths.h"
 #include "names/longest_timestep.h"
 #include "names/open_loop.h"
+#include "names/unfit_joints.h"
 #include "text/number_text.h"
 
 namespace girdle {
 namespace {
 
-// Our models' widest range, of gh_axial, is 240 degrees = 4.2 rad. 4.2 degrees are 0.07 rad, and no
-// arm that moves has a widest range of less than 11 degrees [rad].
-constexpr double kNoRangeOfAShoulder_rad = 0.2;
 // A servo lags by damping / stiffness, 20 ms in the emitted models [s]. Shorter ones ring, longer
 // ones are slower than the arm.
 constexpr double kUsualLag_s = 0.02;
@@ -60,12 +58,7 @@ class FaultFinder {
     for (const CoordinateRange& range : binding_.ranges) {
       widest_rad = std::max(widest_rad, range.upper_rad - range.lower_rad);
     }
-    if (widest_rad < kNoRangeOfAShoulder_rad) {
-      Add("all joint ranges are within " + SignificantText(widest_rad, 2) +
-          " rad, as if their radians had been read as degrees: write <compiler angle=\"radian\"/> "
-          "after the last <include>, or in Python set compiler.degree of the parent to False "
-          "before you attach");
-    }
+    Add(RangesFault(widest_rad));
   }
 
   [[nodiscard]] DampingScheme Scheme() const {
@@ -115,7 +108,7 @@ class FaultFinder {
       const bool is_slide = model_.jnt_type[joint] == model_.engine->joint_slide;
       const double needed = servo->stiffness * (is_slide ? kOrdinaryError_m : kOrdinaryError_rad);
       const mjtNum* range = compiled_.jnt_actfrcrange + 2 * joint;
-      std::string line = "<joint actuatorfrclimited=\"false\"/> in <default class=\"girdle\">";
+      std::string line = "actuatorfrclimited=\"false\" into <joint> of <default class=\"girdle\">";
       if (!IsTight(compiled_.jnt_actfrclimited[joint], range, needed)) {
         range = compiled_.actuator_forcerange + 2 * actuator;
         // Actuators take no class of their body.
@@ -159,8 +152,7 @@ class FaultFinder {
 
   void CheckDamping() {
     if (model_.Disables(model_.engine->disable_damper)) {
-      Add("the joints' damping, which the servos need, is disabled: write <flag "
-          "damper=\"enable\"/> in <option> (before MuJoCo 3.3.6 passive=\"enable\")");
+      Add(kDisabledDamperFault);
       return;
     }
     for (const BoundServo* const servo : Servos()) {
@@ -203,8 +195,8 @@ class FaultFinder {
         note("frictionloss", "frictionloss=\"0\"");
       }
       Add(JointName(*servo) + " has " + what +
-          ", which a parent's defaults may have given it: write <joint" + line +
-          "/> in <default class=\"girdle\">");
+          ", which a parent's defaults may have given it: write" + line +
+          " into <joint> of <default class=\"girdle\">");
       return;
     }
   }

@@ -8,6 +8,8 @@
 // SC and GH of every model and AC of a tree are gaps of rigid bodies: they are off if a model has a
 // body, a hinge or a site elsewhere. AC of a loop is an equality of the simulator, which gives way.
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <glm/geometric.hpp>
 #include <string>
@@ -24,13 +26,15 @@ constexpr const char* kJointConstraint = "joint constraint";
 
 // Of a loop's AC, at rest and while the arm moves. At rest nothing pulls the two sites apart but
 // what a servo does wrong: the emitted models leave less than 1e-6. While they move, the constraint
-// of joint_dynamics.h gives way by 0.05 at 1 Hz and the models' own step; twice that is for arms
-// that are swung otherwise. MuJoCo softens it for longer steps, to 0.2 at the longest of
+// of joint_dynamics.h gives way by 0.01 at 1 Hz and the models' own step, and by up to 0.1 where
+// arms are swung otherwise. MuJoCo softens it for longer steps, to 0.2 at the longest of
 // longest_timestep.h.
 constexpr double kLoopAtRest_mm = 0.05;
 constexpr double kLoopMoving_mm = 0.1;
 constexpr double kLoopMovingInLongSteps_mm = 1;
 constexpr double kOwnStep_s = 0.002;
+// From 0.1 at 2 ms to 1 at 5 ms.
+constexpr double kSoftening = 2.5;
 
 constexpr std::size_t kAc = 1;
 
@@ -110,8 +114,9 @@ class JointConstraintGroup : public ResidualGroup {
     };
     add_gap(at_rest_, "AC at rest", kLoopAtRest_mm);
     add_gap(posed_, "AC at the worst pose", kLoopAtRest_mm);
+    const double longer = std::max(shoulder_.simulation.timestep_s() / kOwnStep_s, 1.0);
     const double moving_mm =
-        shoulder_.simulation.timestep_s() > kOwnStep_s ? kLoopMovingInLongSteps_mm : kLoopMoving_mm;
+        std::min(kLoopMoving_mm * std::pow(longer, kSoftening), kLoopMovingInLongSteps_mm);
     add_gap(moving_, "AC moving", moving_mm);
     add_gap(cycling_, "AC at 1 Hz", moving_mm);
     add_force(at_rest_, "AC force at rest");

@@ -18,6 +18,7 @@
 
 #include "kinematics/random_rotations.h"
 #include "kinematics/shoulder_rhythm.h"
+#include "kinematics/worst_case.h"
 
 namespace girdle {
 
@@ -77,10 +78,13 @@ inline std::array<Quaternion, kJointCount> Joints(const ShoulderPose& pose) {
   return {pose.q_TC, pose.q_CS, pose.q_SH};
 }
 
-/// Largest angle between the joints of two poses.
+/// Largest angle between the joints of two poses; no number if one is none.
 inline double Apart_rad(const ShoulderPose& a, const ShoulderPose& b) {
-  return std::max(
-      {AngleBetween(a.q_TC, b.q_TC), AngleBetween(a.q_CS, b.q_CS), AngleBetween(a.q_SH, b.q_SH)});
+  double apart_rad = 0;
+  for (std::size_t joint = 0; joint < kJointCount; ++joint) {
+    apart_rad = WorseOf(apart_rad, AngleBetween(Joints(a)[joint], Joints(b)[joint]));
+  }
+  return apart_rad;
 }
 
 inline bool SameBits(const ShoulderPose& a, const ShoulderPose& b) {

@@ -293,14 +293,14 @@ class Walk {
   };
 
   static double Moved_rad(const ShoulderPose& a, const ShoulderPose& b) {
-    return std::max(Apart_rad(a, b), AngleBetween(a.q_TH(), b.q_TH()));
+    return WorseOf(Apart_rad(a, b), AngleBetween(a.q_TH(), b.q_TH()));
   }
 
   // By how much the girdle and the arm's direction move, whatever its turn about itself does.
   static double MovedBesideTheTurn_rad(const ShoulderPose& a, const ShoulderPose& b) {
     const Quaternion arm = glm::rotation(ArmOf(a.q_TH()), ArmOf(b.q_TH()));
-    return std::max({AngleBetween(a.q_TC, b.q_TC), AngleBetween(a.q_TS(), b.q_TS()),
-                     AngleBetween(arm, Quaternion(1, 0, 0, 0))});
+    return WorseOf(WorseOf(AngleBetween(a.q_TC, b.q_TC), AngleBetween(a.q_TS(), b.q_TS())),
+                   AngleBetween(arm, Quaternion(1, 0, 0, 0)));
   }
 
   void Add(const Step& a, const Step& b) {
@@ -429,7 +429,7 @@ TEST(AxialFromIsb, IsTheRhythmsOwnWhereTheAnswerIsOpposite) {
 // One place of each circle of turns is passed with a jump, the one half a turn from the middle of
 // GH's axial coordinate; the jump is as wide as the joint's range, or as what counts of a turn that
 // is carried far.
-TEST(AxialFrom, PassesFromOneEndOfTheRangeToTheOtherHalfATurnFromItsMiddleAlone) {
+TEST(AxialFrom, JumpsHalfATurnFromTheMiddleOfTheRangeAlone) {
   constexpr double kStep_deg = 0.25;
   const CoordinateRange range = ShippedJointRanges()[kGhAxialIndex];
   for (const AxialFrom zero : {AxialFrom::kRhythm, AxialFrom::kIsb, AxialFrom::kSwing}) {

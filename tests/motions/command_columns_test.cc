@@ -99,12 +99,17 @@ TEST(CommandColumns, AreReadAsRadians) {
   EXPECT_NEAR(DegreesFromRadians(command.protraction_rad), 30, 1e-9);
 }
 
-TEST(CommandColumns, AreTheSameInRadians) {
-  EXPECT_EQ(RefusalOf("Elevation [rad],plane_deg\n0.5,40\n"),
+TEST(CommandColumns, WithRadiansInTheirNamesAreToldTheOption) {
+  EXPECT_EQ(RefusalOf("Elevation [rad],plane_rad\n0.5,0.4\n"),
             "t.csv:1: column 'Elevation [rad]' is not known. Name it 'elevation_deg', whatever the "
             "unit, and give --angles rad");
-  EXPECT_EQ(RefusalOf("elevation_deg,plane_rad\n0.5,40\n").substr(0, 50),
-            "t.csv:1: column 'plane_rad' is not known. Name it ");
+  AngleReading radians;
+  radians.unit = AngleUnit::kRadian;
+  EXPECT_EQ(RefusalOf("elevation_deg,plane_rad\n0.5,0.4\n", radians),
+            "t.csv:1: column 'plane_rad' is not known. Name it 'plane_deg', whatever the unit");
+  EXPECT_EQ(RefusalOf("elevation_deg,plane_rad\n60,0.4\n"),
+            "t.csv:1: column 'plane_rad' is not known. All angles of a file have one unit: if the "
+            "others are in degrees, write these in degrees, too, as 'plane_deg'");
   EXPECT_EQ(RefusalOf("elevation,plane_deg\n0.5,40\n"),
             "t.csv:1: column 'elevation' is not known. Did you mean 'elevation_deg'? Correct its "
             "name, or give it one that is less alike");

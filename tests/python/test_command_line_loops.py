@@ -104,7 +104,7 @@ def test_a_loop_holds_and_its_gap_is_reported(
     assert dict(stated) == {name: f"{round(gap_mm, 3):g}" for name, gap_mm in gaps_mm.items()}
 
 
-@pytest.mark.parametrize(("step_ms", "tolerance_mm"), [(2, 0.1), (5, 1.0)])
+@pytest.mark.parametrize(("step_ms", "tolerance_mm"), [(2, 0.1), (5, 0.988)])
 def test_a_moving_loop_is_verified_by_what_its_step_can_hold(
     girdle_fine: Girdle, tmp_path: Path, step_ms: int, tolerance_mm: float
 ) -> None:
@@ -114,7 +114,7 @@ def test_a_moving_loop_is_verified_by_what_its_step_can_hold(
     for side in ("right", "left"):
         for moving in ("AC moving", "AC at 1 Hz"):
             line = lines[f"{moving}, {side}"]
-            assert line["tolerance"] == tolerance_mm
+            assert line["tolerance"] == pytest.approx(tolerance_mm, abs=5e-4)
             # It would not hold what a shorter step holds.
             assert line["passed"]
             assert (line["value"] > 0.1) == (step_ms > 2 and moving == "AC at 1 Hz")
@@ -145,6 +145,8 @@ def test_longer_steps_are_refused_with_the_longest_one(
 @pytest.mark.parametrize(
     ("own", "changed", "because"),
     [
+        ("<flag ", '<flag damper="disable" ', ("damping, which the servos need, is disabled",)),
+        ('<compiler angle="radian"/>', "", ("as if their radians had been read as degrees",)),
         (
             "<flag ",
             '<flag constraint="disable" ',
@@ -155,7 +157,7 @@ def test_longer_steps_are_refused_with_the_longest_one(
     ],
 )
 @pytest.mark.parametrize("actuation", ["plugin", "position"])
-def test_a_loop_that_nothing_closes_is_refused(
+def test_what_the_servos_cannot_do_with_is_refused(
     girdle_fine: Girdle,
     refuses: Refuses,
     tmp_path: Path,
@@ -163,7 +165,7 @@ def test_a_loop_that_nothing_closes_is_refused(
     actuation: str,
     own: str,
     changed: str,
-    because: tuple[str, str],
+    because: tuple[str, ...],
 ) -> None:
     loop = ("--assembly", "loop", "--actuation", actuation)
     path = stepped(girdle_fine, tmp_path / "model", 2, *loop)
@@ -173,7 +175,7 @@ def test_a_loop_that_nothing_closes_is_refused(
     path.write_text(model.replace(own, changed))
     refuses(
         *("simulate", str(path), "--motion", str(motion)),
-        because=("nothing holds the AC joint of the loop", *because),
+        because=because,
     )
 
 

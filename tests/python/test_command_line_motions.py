@@ -209,7 +209,7 @@ def test_an_axial_option_beside_negative_elevations_is_told_what_becomes_of_it(
 
 def test_the_sign_of_raise_is_shown_as_the_convention_has_it(refuses: Refuses, scene: Path) -> None:
     words = ("simulate", scene, "--raise=15:120", "--convention", "isb")
-    refuses(*words, because=("such as -15:-120$",))
+    refuses(*words, because=("such as -15:-120 are read$",))
 
 
 HAND_BEHIND_THE_BACK = ((0, -45, -60, 90), (0.2, -50, -65, 100), (0.6, -50, -65, 60))

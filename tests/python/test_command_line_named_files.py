@@ -36,13 +36,20 @@ def _folder(tmp_path: Path, generated: Path) -> None:
         (tmp_path / name).parent.mkdir(exist_ok=True)
         (tmp_path / name).write_text("")
     (tmp_path / "lab").mkdir()
+    (tmp_path / "lab" / "leaf.obj").write_text("")
+    (tmp_path / "parts" / "my").mkdir()
+    (tmp_path / "parts" / "my" / "arm.skn").write_text("")
     shutil.copy(LAB_LANDMARKS, tmp_path / "parts" / "bones.csv")
     (tmp_path / "lab" / "scene.xml").hardlink_to(tmp_path / "parts" / "bones.csv")
     (tmp_path / "parts" / "hard.obj").hardlink_to(tmp_path / "my" / MODEL_FILE)
-    (tmp_path / "my" / "deep.xml").write_text('<mujoco><asset><texture fileup="floor.png"/></asset></mujoco>')
+    (tmp_path / "my" / "deep.xml").write_text(
+        '<mujoco><asset><texture fileup="floor.png"/><skin file="arm.skn"/></asset></mujoco>'
+    )
+    (tmp_path / "leaf.xml").write_text('<mujoco><asset><mesh file="lab/leaf.obj"/></asset></mujoco>')
     (tmp_path / "whole.xml").write_text(
         '<mujoco><compiler meshdir="parts" strippath="true"/><include file="my/deep.xml"/>'
-        '<include file="whole.xml"/><asset><mesh file="gone/bone.obj"/></asset></mujoco>'
+        '<include file="whole.xml"/><asset><mesh file="gone/bone.obj"/><model file="leaf.xml"/></asset>'
+        "</mujoco>"
     )
 
 
@@ -146,6 +153,16 @@ POSE = ("solve", "--elevation=60", "--plane=40")
             ("simulate", "whole.xml", "--motion", "motion.csv", "--controls", "parts/bone.obj"),
             "--controls parts/bone.obj",
             "the model's file parts/bone.obj",
+        ),
+        (
+            ("simulate", "whole.xml", "--motion", "motion.csv", "--trace", "parts/my/arm.skn"),
+            "--trace parts/my/arm.skn",
+            "the model's file parts/my/arm.skn",
+        ),
+        (
+            ("simulate", "whole.xml", "--motion", "motion.csv", "--trace", "lab/leaf.obj"),
+            "--trace lab/leaf.obj",
+            "the model's file lab/leaf.obj",
         ),
         (
             ("render", "whole.xml", "--out", "my/floor.png"),

@@ -35,7 +35,7 @@ SEEDS = range(5)
 JUMPS = 80
 JUMP_S = 0.25
 # A command of the plugin that jumps swings past a range by less than that [deg].
-PLUGIN_DEG = 0.2
+PLUGIN_DEG = 0.4
 
 
 def farthest_outside_deg(family: str, kind: str) -> float:

@@ -156,8 +156,8 @@ def test_what_joins_the_bones_of_a_loop(
     [
         (
             '<joint actuatorfrcrange="-10 10"/>',
-            '<joint actuatorfrclimited="false"/> in <default class="girdle">',
-            ('<site pos="0 0 0" size', '<joint actuatorfrclimited="false"/><site size'),
+            'actuatorfrclimited="false" into <joint> of <default class="girdle">',
+            ('<site pos="0 0 0" q', '<joint actuatorfrclimited="false"/><site q'),
         ),
         (
             '<general forcerange="-10 10"/>',
@@ -205,11 +205,10 @@ def test_what_a_parents_defaults_give_the_joints(
 ) -> None:
     defaults = f"<default><joint {inherited}/></default>"
     model = parent_of(unguarded(path, tmp_path), defaults, "", tmp_path)
-    line = f"<joint {line}/>"
     said = said_of(model, warnings)
     assert f'joint "sc_protraction_r" has {what}, which' in said
-    assert f'write {line} in <default class="girdle">' in said
-    mended = unguarded(path, tmp_path, ('<site pos="0 0 0" size', f"{line}<site size"))
+    assert f'write {line} into <joint> of <default class="girdle">' in said
+    mended = unguarded(path, tmp_path, ('<site pos="0 0 0" q', f"<joint {line}/><site q"))
     assert said_of(parent_of(mended, defaults, "", tmp_path), warnings) == ""
 
 
@@ -218,7 +217,12 @@ def test_nonlinear_damping_of_a_parents_defaults(tmp_path: Path, warnings: list[
     model = parent_of(TREE, '<default><joint damping="1 2 3"/></default>', "", tmp_path)
     said = said_of(model, warnings)
     assert "has nonlinear damping, which" in said
-    assert 'write <joint damping="0 0 0"/> in' in said
+    line = 'damping="0 0 0" '
+    assert f'write {line}into <joint> of <default class="girdle">' in said
+    mended = tmp_path / "mended.xml"
+    mended.write_text(TREE.read_text().replace("<joint ", f"<joint {line}", 1))
+    model = parent_of(mended, '<default><joint damping="1 2 3"/></default>', "", tmp_path)
+    assert said_of(model, warnings) == ""
 
 
 def test_a_joint_without_damping(warnings: list[str]) -> None:

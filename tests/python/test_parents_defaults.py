@@ -17,19 +17,20 @@ SHOULDERS = sorted(MODELS.glob("*/shoulder_*.xml"))
 DEFAULTS = (
     '<mesh scale="0.001 0.001 0.001"/>'
     '<joint type="slide" pos="0 0 0.1" range="-0.1 0.1" limited="true" stiffness="10" springdamper="1 1"'
-    ' damping="3" frictionloss="2" margin="0.1" armature="1"'
+    ' damping="3" frictionloss="2" margin="0.1" armature="1" solreflimit="0.3 1" solimplimit="0.1 0.2 0.1"'
     ' actuatorfrcrange="-1 1" actuatorfrclimited="true"/>'
-    '<geom pos="0 0 0.1" contype="1" conaffinity="1" mass="1" group="3"/>'
-    '<site pos="0 0 0.1" size="0.1" group="1"/>'
-    '<tendon damping="5" frictionloss="2" stiffness="7" springlength="0.1" range="0 0.1" limited="true"/>'
+    '<geom pos="0 0 0.1" quat="0.7 0.7 0 0" contype="1" conaffinity="1" mass="1" group="3"/>'
+    '<site pos="0 0 0.1" quat="0.7 0.7 0 0" size="0.1" group="1"/>'
+    '<tendon damping="5" frictionloss="2" stiffness="7" springlength="0.1" range="0 0.1"'
+    ' limited="true" solreflimit="0.3 1" solimplimit="0.1 0.2 0.1"/>'
     '<equality active="false" solref="0.1 1" solimp="0.1 0.2 0.1"/>'
     '<pair margin="0.1" gap="0.1" solref="0.1 1"/>'
     '<position kp="20" kv="3" inheritrange="1" forcerange="-1 1" forcelimited="true"/>'
 )
 ACTUATORS = (
     "",
-    '<general gear="2" forcerange="-1 1" ctrlrange="-0.1 0.1" ctrllimited="true" forcelimited="true"'
-    ' dyntype="filter" dynprm="0.1"/>',
+    '<general gear="2 3 4 5 6 7" forcerange="-1 1" ctrlrange="-0.1 0.1" ctrllimited="true"'
+    ' forcelimited="true" dyntype="filter" dynprm="0.1"/>',
     '<velocity kv="4" gear="3"/>',
     '<intvelocity kp="4" inheritrange="1"/>',
 )
