@@ -177,7 +177,9 @@ std::string PositionModelFault(const LoadedShoulders& loaded) {
       faults.push_back(OpenLoopFaultOf(model, elements));
     }
   }
-  faults.push_back((model.opt.disableflags & mjDSBL_DAMPER) != 0 ? kDisabledDamperFault : "");
+  if ((model.opt.disableflags & mjDSBL_DAMPER) != 0) {
+    faults.emplace_back(kDisabledDamperFault);
+  }
   const auto first = std::find_if(faults.begin(), faults.end(),
                                   [](const std::string& fault) { return !fault.empty(); });
   return first == faults.end() ? "" : *first;
