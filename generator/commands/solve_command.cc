@@ -336,8 +336,9 @@ std::string PoseAsText(const ShoulderRhythm& rhythm, const TypedPose& typed,
     text += UsedAsText(rhythm, typed.command(), solution.used);
   }
   text += "origin          " + std::string(Name(solution.origin));
-  if (solution.origin == Origin::kModelled) {
-    text += ", " + RoundedText(DegreesFromRadians(solution.distance_rad), kDecimals) +
+  if (solution.distance_rad > 0) {
+    text += (solution.origin == Origin::kModelled ? ", " : ", in answer to a direction ") +
+            RoundedText(DegreesFromRadians(solution.distance_rad), kDecimals) +
             " deg from measured positions";
   }
   text +=

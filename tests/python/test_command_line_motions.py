@@ -234,7 +234,8 @@ def test_what_the_table_answers_is_not_called_modelled(girdle_fine: Girdle, tmp_
     assert "51 clamped (51 beyond the table), 0 modelled" in finished.message
     assert "modelled" not in finished.text
     said = girdle_fine("solve", "--elevation", "180", "--plane", "0", "--range", "clamp").text
-    assert re.search(r"^origin +measured$", said, re.MULTILINE)
+    origin = r"^origin +measured, in answer to a direction 60 deg from measured positions$"
+    assert re.search(origin, said, re.MULTILINE)
 
 
 @pytest.mark.parametrize(
