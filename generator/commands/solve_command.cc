@@ -337,7 +337,7 @@ std::string PoseAsText(const ShoulderRhythm& rhythm, const TypedPose& typed,
   }
   text += "origin          " + std::string(Name(solution.origin));
   if (solution.distance_rad > 0) {
-    text += (solution.origin == Origin::kModelled ? ", " : ", in answer to a direction ") +
+    text += (solution.clamped ? ", in answer to a direction " : ", ") +
             RoundedText(DegreesFromRadians(solution.distance_rad), kDecimals) +
             " deg from measured positions";
   }

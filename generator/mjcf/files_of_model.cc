@@ -25,12 +25,15 @@ class FileSearch {
   [[nodiscard]] std::vector<std::string> Found() const {
     std::set<std::string> found;
     for (const Name& name : names_) {
-      for (const fs::path& folder : {top_, name.folder}) {
+      for (const fs::path& folder : folders_) {
         AddThoseIn(folder, name.file, found);
         for (const fs::path& assets : asset_folders_) {
           AddThoseIn(folder / assets, name.file, found);
-          if (name.folder != top_) {
-            AddThoseIn(top_ / assets / name.folder.lexically_relative(top_), name.file, found);
+          // MuJoCo tries the folder of the file that has the name behind the assets', too: as it
+          // was typed, or from the model's own.
+          if (name.folder != folder && !name.folder.empty()) {
+            AddThoseIn(folder / assets / name.folder, name.file, found);
+            AddThoseIn(folder / assets / name.folder.lexically_relative(folder), name.file, found);
           }
         }
       }
@@ -52,6 +55,7 @@ class FileSearch {
         document.LoadFile(file.c_str()) != tinyxml2::XML_SUCCESS) {
       return;
     }
+    folders_.insert(file.parent_path());
     for (const auto* child = document.RootElement(); child != nullptr;
          child = child->NextSiblingElement()) {
       ReadElement(*child, file.parent_path());
@@ -93,6 +97,7 @@ class FileSearch {
   }
 
   fs::path top_;
+  std::set<fs::path> folders_;  // of the model and of those that it includes or attaches
   std::set<fs::path> read_;
   std::set<fs::path> asset_folders_;
   std::vector<Name> names_;

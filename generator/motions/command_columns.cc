@@ -33,27 +33,36 @@ bool IsInRadians(const std::string& column) {
   return small.find("rad") != std::string::npos && small.find("radi") != 0;
 }
 
-// Refuses a known name with radians for its unit, which only an option says.
+// How a known name with radians for its unit is to be mended. Only an option says the unit.
+std::string RadiansMend(const std::string& meant, bool has_degrees,
+                        const std::optional<AngleUnit>& unit) {
+  if (unit == AngleUnit::kRadian) {
+    return "Name it '" + meant + "', whatever the unit" +
+           (has_degrees ? ", if all angles of the file are in radians" : "");
+  }
+  return has_degrees || unit
+             ? "All angles of a file have one unit: write these in degrees, too, as '" + meant +
+                   "', or all in radians with --angles rad"
+             : "Name it '" + meant + "', whatever the unit, and give --angles rad";
+}
+
+// Refuses a known name with radians for its unit.
 void ExpectNoRadianNames(const CsvReader& csv, const std::vector<std::string_view>& known,
-                         bool is_unit_said) {
+                         const std::optional<AngleUnit>& unit) {
+  const auto has_column = [&](std::string_view name) { return csv.HasColumn(std::string(name)); };
+  const bool has_degrees = std::any_of(known.begin(), known.end(), has_column);
   for (const std::string& column : csv.columns()) {
     const std::string stem = PlainStem(column);
     const auto meant = std::find_if(known.begin(), known.end(), [&](std::string_view name) {
-      return name.ends_with("_deg") && PlainStem(name) == stem && !csv.HasColumn(std::string(name));
+      return name.ends_with("_deg") && PlainStem(name) == stem;
     });
     if (meant == known.end() || !IsInRadians(column)) {
       continue;
     }
-    const bool has_degrees = std::any_of(known.begin(), known.end(), [&](std::string_view name) {
-      return csv.HasColumn(std::string(name));
-    });
     csv.Fail("column '" + column + "' is not known. " +
-             (has_degrees && !is_unit_said
-                  ? "All angles of a file have one unit: if the others are in degrees, write these "
-                    "in degrees, too, as '" +
-                        std::string(*meant) + "'"
-                  : "Name it '" + std::string(*meant) + "', whatever the unit" +
-                        (is_unit_said ? "" : ", and give --angles rad")));
+             (has_column(*meant)
+                  ? "'" + std::string(*meant) + "' is there, too: leave one of them out"
+                  : RadiansMend(std::string(*meant), has_degrees, unit)));
   }
 }
 
@@ -65,7 +74,7 @@ CommandColumns::CommandColumns(const CsvReader& csv, const AngleReading& reading
   std::vector<std::string_view> known = {kElevationColumn, kPlaneColumn, kAxialColumn, kShrugColumn,
                                          kProtractionColumn};
   known.insert(known.end(), further.begin(), further.end());
-  ExpectNoRadianNames(csv, known, reading.unit.has_value());
+  ExpectNoRadianNames(csv, known, reading.unit);
   csv.ExpectNoneNearly(known);
   elevation_ = csv.Column(kElevationColumn);
   plane_ = csv.Column(kPlaneColumn);

@@ -28,7 +28,7 @@ struct LoopClosing {
     return fault("equalities are disabled", "<flag equality=\"enable\"/> in <option>");
   }
   if (!closing.has_connect) {
-    return fault("no <connect> joins clavicle and scapula",
+    return fault("no <connect> of two sites joins clavicle and scapula",
                  "<connect site1=\"...\" site2=\"...\"/> in <equality>, with a site of each bone "
                  "where the joint is");
   }

@@ -106,10 +106,21 @@ TEST(CommandColumns, WithRadiansInTheirNamesAreToldTheOption) {
   AngleReading radians;
   radians.unit = AngleUnit::kRadian;
   EXPECT_EQ(RefusalOf("elevation_deg,plane_rad\n0.5,0.4\n", radians),
-            "t.csv:1: column 'plane_rad' is not known. Name it 'plane_deg', whatever the unit");
+            "t.csv:1: column 'plane_rad' is not known. Name it 'plane_deg', whatever the unit, if "
+            "all angles of the file are in radians");
+  AngleReading degrees;
+  degrees.unit = AngleUnit::kDegree;
+  EXPECT_EQ(
+      RefusalOf("elevation_rad,plane_rad\n0.5,0.4\n", degrees),
+      "t.csv:1: column 'elevation_rad' is not known. All angles of a file have one unit: write "
+      "these in degrees, too, as 'elevation_deg', or all in radians with --angles rad");
+  EXPECT_EQ(
+      RefusalOf("elevation_deg,plane_deg,elevation_rad\n60,40,1\n"),
+      "t.csv:1: column 'elevation_rad' is not known. 'elevation_deg' is there, too: leave one "
+      "of them out");
   EXPECT_EQ(RefusalOf("elevation_deg,plane_rad\n60,0.4\n"),
-            "t.csv:1: column 'plane_rad' is not known. All angles of a file have one unit: if the "
-            "others are in degrees, write these in degrees, too, as 'plane_deg'");
+            "t.csv:1: column 'plane_rad' is not known. All angles of a file have one unit: write "
+            "these in degrees, too, as 'plane_deg', or all in radians with --angles rad");
   EXPECT_EQ(RefusalOf("elevation,plane_deg\n0.5,40\n"),
             "t.csv:1: column 'elevation' is not known. Did you mean 'elevation_deg'? Correct its "
             "name, or give it one that is less alike");

@@ -46,10 +46,19 @@ def _folder(tmp_path: Path, generated: Path) -> None:
         '<mujoco><asset><texture fileup="floor.png"/><skin file="arm.skn"/></asset></mujoco>'
     )
     (tmp_path / "leaf.xml").write_text('<mujoco><asset><mesh file="lab/leaf.obj"/></asset></mujoco>')
+    (tmp_path / "my" / "child" / "meshes").mkdir(parents=True)
+    (tmp_path / "my" / "child" / "meshes" / "z.obj").write_text("")
+    (tmp_path / "my" / "child" / "c.xml").write_text(
+        '<mujoco><compiler meshdir="meshes"/><include file="part/p.xml"/></mujoco>'
+    )
+    (tmp_path / "my" / "child" / "part").mkdir()
+    (tmp_path / "my" / "child" / "part" / "p.xml").write_text(
+        '<mujoco><asset><mesh file="z.obj"/></asset></mujoco>'
+    )
     (tmp_path / "whole.xml").write_text(
         '<mujoco><compiler meshdir="parts" strippath="true"/><include file="my/deep.xml"/>'
-        '<include file="whole.xml"/><asset><mesh file="gone/bone.obj"/><model file="leaf.xml"/></asset>'
-        "</mujoco>"
+        '<include file="whole.xml"/><asset><mesh file="gone/bone.obj"/><model file="leaf.xml"/>'
+        '<model file="my/child/c.xml"/></asset></mujoco>'
     )
 
 
@@ -163,6 +172,11 @@ POSE = ("solve", "--elevation=60", "--plane=40")
             ("simulate", "whole.xml", "--motion", "motion.csv", "--trace", "lab/leaf.obj"),
             "--trace lab/leaf.obj",
             "the model's file lab/leaf.obj",
+        ),
+        (
+            ("simulate", "whole.xml", "--motion", "motion.csv", "--trace", "my/child/meshes/z.obj"),
+            "--trace my/child/meshes/z.obj",
+            "the model's file my/child/meshes/z.obj",
         ),
         (
             ("render", "whole.xml", "--out", "my/floor.png"),

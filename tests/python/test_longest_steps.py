@@ -35,7 +35,7 @@ SEEDS = range(5)
 JUMPS = 80
 JUMP_S = 0.25
 # A command of the plugin that jumps swings past a range by less than that [deg].
-PLUGIN_DEG = 0.4
+PLUGIN_DEG = 1.0
 
 
 def farthest_outside_deg(family: str, kind: str) -> float:
@@ -66,5 +66,5 @@ def test_how_far_controls_that_jump_throw_a_joint_past_its_range() -> None:
     assert stated
     farthest_deg = max(farthest_outside_deg(family, "_position") for family in families)
     assert float(stated[1]) - 1 < farthest_deg <= float(stated[1])
-    assert f"by less than {PLUGIN_DEG} degrees" in README
+    assert "by less than a degree" in README
     assert max(farthest_outside_deg(family, "") for family in families) < PLUGIN_DEG

@@ -139,7 +139,7 @@ CONNECT = re.compile(r'<connect name="AC_r" (.*?)/>')
     [
         (r'<connect active="false" \1/><connect \1/>', ""),
         (r'<connect active="false" \1/>', 'its <connect> starts inactive: write active="true" there'),
-        ("", 'no <connect> joins clavicle and scapula: write <connect site1="..." site2="..."/>'),
+        ("", 'no <connect> of two sites joins clavicle and scapula: write <connect site1="..." site2='),
     ],
     ids=["one of two is active", "inactive", "none"],
 )
