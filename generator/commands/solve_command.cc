@@ -421,6 +421,15 @@ std::size_t ChosenThreads(const std::optional<std::string>& text) {
   return static_cast<std::size_t>(*number);
 }
 
+// How the angles of a file are to be read.
+AngleReading ChosenReading(const SolveArguments& arguments) {
+  AngleReading reading = ReadingFrom(arguments.angles);
+  reading.axial_from = ChosenAxialFrom(arguments);
+  reading.must_have_axial = !arguments.axial_from.empty() && !arguments.axial_deg;
+  reading.has_axial_option = arguments.axial_deg.has_value();
+  return reading;
+}
+
 RowOptions ChosenRowOptions(const SolveArguments& arguments) {
   RowOptions options;
   options.threads = ChosenThreads(arguments.threads);
@@ -430,10 +439,7 @@ RowOptions ChosenRowOptions(const SolveArguments& arguments) {
   if (arguments.axial_deg) {
     options.axial_deg = AxialArgument_deg("--axial", *arguments.axial_deg);
   }
-  options.reading = ReadingFrom(arguments.angles);
-  options.reading.axial_from = ChosenAxialFrom(arguments);
-  options.reading.must_have_axial = !arguments.axial_from.empty() && !arguments.axial_deg;
-  options.reading.has_axial_option = arguments.axial_deg.has_value();
+  options.reading = ChosenReading(arguments);
   return options;
 }
 
@@ -519,7 +525,7 @@ void Solve(const SolveArguments& arguments) {
   }
   std::error_code unknown_size;
   if (std::filesystem::is_regular_file(arguments.in, unknown_size)) {
-    ExpectKnownUnit(arguments.in, ChosenRowOptions(arguments).reading);
+    ExpectKnownUnit(arguments.in, ChosenReading(arguments));
   }
   std::ifstream in = OpenTextFile(arguments.in);
   const std::uintmax_t bytes = std::filesystem::file_size(arguments.in, unknown_size);

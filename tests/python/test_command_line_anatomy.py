@@ -412,3 +412,15 @@ def test_how_gh_was_found_is_said_where_no_row_gives_it(
     for words_said in said:
         assert words_said in finished.message
     assert gh in finished.message
+
+
+def test_how_gh_was_found_is_said_once_for_a_file(girdle: Girdle, tmp_path: Path) -> None:
+    """The person's landmarks are read once, however often the file of arms is."""
+    lines = EXAMPLE.read_text(encoding="utf-8").splitlines()
+    rows = [line.split(",") for line in lines if not line.startswith("#")]
+    drop("GH")(rows)
+    (tmp_path / "mine.csv").write_text("\n".join(map(",".join, rows)) + "\n", encoding="utf-8")
+    (tmp_path / "arms.csv").write_text("elevation_deg,plane_deg\n60,40\n")
+    finished = girdle("solve", "--in", "arms.csv", "--landmarks", "--anatomy", "mine.csv")
+    assert finished.code == 0
+    assert finished.message.count("mine.csv: GH is ") == 1
