@@ -16,16 +16,18 @@ namespace girdle {
 namespace {
 
 // Words that say a turn about the long axis; gamma is ISB's letter.
-constexpr std::string_view kTurns = "axial rotation rot twist thirdangle gamma";
+constexpr std::array<std::string_view, 6> kTurns = {"axial", "rotation",   "rot",
+                                                    "twist", "thirdangle", "gamma"};
 
 // Words that stand beside them without another meaning.
-constexpr std::string_view kBeside =
-    "internal external int ext inward outward medial lateral endo exo humeral humerus "
-    "humerothoracic ht upper arm shoulder right left long longitudinal axis isb angle turn "
-    "measured";
+constexpr std::array<std::string_view, 26> kBeside = {
+    "internal", "external", "int",      "ext",     "inward",  "outward",        "medial",
+    "lateral",  "endo",     "exo",      "humeral", "humerus", "humerothoracic", "ht",
+    "upper",    "arm",      "shoulder", "right",   "left",    "long",           "longitudinal",
+    "axis",     "isb",      "angle",    "turn",    "measured"};
 
 // Internal and external rotation, where nothing stands beside them: more words have these letters.
-constexpr auto kAlone = std::to_array<std::string_view>({"ir", "er"});
+constexpr std::array<std::string_view, 2> kAlone = {"ir", "er"};
 
 // Of the words beside, one slip makes ankle of angle.
 constexpr std::size_t kShortestToSlipBeside = 6;
@@ -39,16 +41,6 @@ bool IsWord(std::string_view letters, std::string_view word, std::size_t shortes
   return word.size() >= shortest_to_slip && letters.starts_with(word.front()) &&
          (letters.ends_with(word.back()) || word.starts_with(letters)) &&
          IsOneSlipAway(letters, word);
-}
-
-// Calls `with` for each word of a list.
-template <typename With>
-void ForEachWord(std::string_view words, const With& with) {
-  while (!words.empty()) {
-    const std::size_t end = std::min(words.find(' '), words.size());
-    with(words.substr(0, end));
-    words.remove_prefix(std::min(end + 1, words.size()));
-  }
 }
 
 }  // namespace
@@ -78,13 +70,16 @@ bool MeansAxialTurn(std::string_view column) {
         }
       }
     };
-    ForEachWord(kTurns, [&](std::string_view word) { take(word, true); });
-    ForEachWord(kBeside, [&](std::string_view word) { take(word, false); });
+    for (const std::string_view word : kTurns) {
+      take(word, true);
+    }
+    for (const std::string_view word : kBeside) {
+      take(word, false);
+    }
   }
   // A letter at the end says the side.
   return before.back().words_with_turn ||
-         (stem.find_last_of("rl") + 1 == stem.size() && !stem.empty() &&
-          before[stem.size() - 1].words_with_turn);
+         ((stem.ends_with('r') || stem.ends_with('l')) && before[stem.size() - 1].words_with_turn);
 }
 
 }  // namespace girdle
