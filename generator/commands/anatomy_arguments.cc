@@ -8,6 +8,7 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "commands/option_group.h"
 #include "anatomy/built_in_anatomy.h"
 #include "anatomy/person_landmarks.h"
 #include "fits/fitted_anatomy.h"
@@ -64,7 +65,7 @@ void FitGlidingOrSay(Anatomy& anatomy) {
     FitGliding(anatomy);
   } catch (const std::invalid_argument& error) {
     throw InputError("this anatomy's scapula does not glide on a thorax: " +
-                     std::string(error.what()) + ". Give one with --thorax FILE");
+                     std::string(error.what()) + ". Give one with --ellipsoids FILE");
   }
 }
 
@@ -73,9 +74,9 @@ void ChooseThorax(const AnatomyArguments& arguments, Anatomy& anatomy) {
   if (!anatomy.has_adult_proportions) {
     FitLigaments(anatomy);
   }
-  if (!arguments.thorax.empty()) {
-    std::ifstream in = OpenTextFile(arguments.thorax);
-    ReadThoraxEllipsoids(in, arguments.thorax, anatomy);
+  if (!arguments.ellipsoids.empty()) {
+    std::ifstream in = OpenTextFile(arguments.ellipsoids);
+    ReadThoraxEllipsoids(in, arguments.ellipsoids, anatomy);
     anatomy.has_adult_proportions = false;
   } else if (!anatomy.has_adult_proportions) {
     FitGlidingOrSay(anatomy);
@@ -85,12 +86,13 @@ void ChooseThorax(const AnatomyArguments& arguments, Anatomy& anatomy) {
 }  // namespace
 
 void AddAnatomyArguments(CLI::App& verb, AnatomyArguments& arguments) {
+  const OptionGroup group(verb, "The person");
   verb.add_option("--anatomy", arguments.file,
                   "Landmarks of one person, a CSV in the format of data/landmarks.csv; in place of "
                   "the built-in adult")
       ->type_name("FILE");
-  verb.add_option("--thorax", arguments.thorax,
-                  "Ellipsoids of the thorax, a CSV as girdle thorax --out writes it; in place of "
+  verb.add_option("--ellipsoids", arguments.ellipsoids,
+                  "Ellipsoids of the thorax, a CSV as girdle fit-thorax --out writes it; in place of "
                   "those that belong to the bones")
       ->type_name("FILE");
   for (std::size_t i = 0; i < kBodyMeasures.size(); ++i) {
@@ -120,7 +122,7 @@ void FitTissues(Anatomy& anatomy) {
 }
 
 bool IsAnatomyChosen(const AnatomyArguments& arguments) noexcept {
-  return !arguments.file.empty() || !arguments.thorax.empty() ||
+  return !arguments.file.empty() || !arguments.ellipsoids.empty() ||
          std::any_of(arguments.measures.begin(), arguments.measures.end(),
                      [](const std::string& measure) { return !measure.empty(); });
 }

@@ -13,10 +13,10 @@
 
 namespace girdle {
 
-/// `--anatomy`, `--thorax` and the measures as given; empty where not given.
+/// `--anatomy`, `--ellipsoids` and the measures as given; empty where not given.
 struct AnatomyArguments {
   std::string file;
-  std::string thorax;
+  std::string ellipsoids;
   std::array<std::string, kBodyMeasures.size()> measures;  ///< in the order of kBodyMeasures
 };
 
@@ -24,7 +24,7 @@ void AddAnatomyArguments(CLI::App& verb, AnatomyArguments& arguments);
 
 /// Returns the anatomy chosen: that of the file or the built-in one in the size that the measures
 /// say. The scapula of bones of other proportions glides on an ellipsoid fitted to them under the
-/// built-in rhythm, or on that of the `--thorax` file. With a file of landmarks, lengths are its
+/// built-in rhythm, or on that of the `--ellipsoids` file. With a file of landmarks, lengths are its
 /// own, and of stature the height above the floor is taken; if GH is not among its rows, standard
 /// error says how it was found. Throws InputError for a file that is
 /// not of a right shoulder, a measure that nobody has, and a length beside a file of landmarks.

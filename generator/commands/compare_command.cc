@@ -4,9 +4,12 @@
 #include "commands/compare_command.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "commands/angle_sweep.h"
@@ -82,12 +85,19 @@ void CompareRhythms(const CompareArguments& arguments) {
   }
   const Comparison comparison = Compare(measured, published, map);
   if (out) {
+    std::string content;
     if (format == Format::kCsv) {
-      WriteMapCsv(measured, published, map, [&out](std::string_view text) { out->Write(text); });
+      std::ptrdiff_t lines = 0;
+      WriteMapCsv(measured, published, map, [&out, &lines](std::string_view text) {
+        lines += std::ranges::count(text, '\n');
+        out->Write(text);
+      });
+      content = CountText(static_cast<std::uintmax_t>(lines - 1), "row");
     } else {
       out->Write(ComparisonAsJson(comparison));
     }
     out->Commit();
+    NoteWritten(arguments.out, content);
   }
   Print(arguments.json ? ComparisonAsJson(comparison) : ComparisonAsText(comparison));
 }
@@ -114,9 +124,9 @@ void AddCompareCommand(CLI::App& program) {
   AddRhythmArguments(*verb, arguments->rhythm);
   verb->add_flag("--json", arguments->json, "The summary as JSON");
   verb->footer(
-      "Positions at which the measured rhythm is clamped are left out. In the map a field is empty "
-      "where a rhythm says\nnothing.\n"
-      "Examples:\n"
+      "\nPositions at which the measured rhythm is clamped are left out. In the map a field is "
+      "empty where a rhythm says nothing.\n"
+      "\nExamples:\n"
       "  girdle compare --out rhythms.csv\n"
       "  girdle compare --elevation 30:120:5 --plane 0:90:10 --json");
   verb->callback([arguments] { CompareRhythms(*arguments); });

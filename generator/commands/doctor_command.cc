@@ -284,13 +284,13 @@ void AddDoctorCommand(CLI::App& program, int& status) {
                  "it: that of --engine, else that of the first python3 on PATH");
   verb->add_flag("--uninstall", arguments->uninstall, "Remove it from there again");
   verb->footer(
-      "Looks where Python, unpacked releases and the system keep MuJoCo, at MUJOCO_ROOT, and in "
-      "the checkout\nthat the program lies in. It runs each python3 on PATH, isolated, to ask "
-      "where its package is; it loads each\nMuJoCo with the plugin and steps a shoulder, and it "
-      "loads OpenGL. Each runs in its own process, with a limit\nof time and "
-      "output. Nothing of the current folder is run. Where a MuJoCo does not work, its problem or\n"
-      "the line after `type` says what mends it. Exit status 1 if no MuJoCo works.\n"
-      "Examples:\n  girdle doctor\n  girdle doctor --install");
+      "\nThe doctor looks where Python, unpacked releases and the system keep MuJoCo, at "
+      "MUJOCO_ROOT, and in the checkout that the program lies in. It runs each python3 on PATH, "
+      "isolated, to ask where its package is. It loads each MuJoCo with the plugin, steps a "
+      "shoulder, and loads OpenGL. Each runs in its own process, with a limit of time and output. "
+      "Nothing of the current folder is run. If a MuJoCo does not work, its problem or the line "
+      "after `type` says what mends it. Exit status 1 if no MuJoCo works.\n"
+      "\nExamples:\n  girdle doctor\n  girdle doctor --install");
   verb->callback([arguments, &status] {
     const bool changes = arguments->install || arguments->uninstall;
     if (changes && (arguments->only || arguments->json || arguments->engines.size() > 1 ||

@@ -15,6 +15,7 @@
 #include "commands/anatomy_arguments.h"
 #include "commands/named_files.h"
 #include "commands/output_file.h"
+#include "commands/option_group.h"
 #include "commands/rhythm_arguments.h"
 #include "commands/simulation_module.h"
 #include "commands/skin_argument.h"
@@ -72,7 +73,7 @@ ShoulderModelOptions ModelOptions(const GenerateArguments& arguments,
     }
   }
   if (arguments.rates) {
-    ExpectRates(arguments.rhythm);
+    ExpectDerivatives("--rates", arguments.rhythm);
     if (options.assembly == Assembly::kLoop) {
       throw InputError(
           "--rates: not known for the assembly loop. Leave it away, or choose --assembly tree");
@@ -146,7 +147,7 @@ void ExpectApart(const GenerateArguments& arguments, const std::string& name) {
   ExpectFilesApart({{"--out", (std::filesystem::path(arguments.out) / name).string()}},
                    {{"--table", TableFile(arguments.rhythm.table)},
                     {"--anatomy", arguments.anatomy.file},
-                    {"--thorax", arguments.anatomy.thorax},
+                    {"--ellipsoids", arguments.anatomy.ellipsoids},
                     {"--skin", arguments.skin.skin},
                     {"--skin-landmarks", arguments.skin.landmarks},
                     {"--plugin", arguments.plugin}});
@@ -204,8 +205,7 @@ void Generate(const GenerateArguments& arguments) {
     Print("model  " + model + "\nscene  " + scene + "\n" +
           (skin ? "skin   " + skin_file + "\n" : "") + "check  " + checked + "\n");
     if (has_own_bones) {
-      Print("bones  those of the skin. To verify: girdle verify " + scene + " --anatomy " +
-            landmarks + "\n");
+      Print("bones  those of the skin, written to " + landmarks + "\n");
     }
   }
 }
@@ -218,6 +218,8 @@ void AddGenerateCommand(CLI::App& program) {
   verb->add_option("--out", arguments->out, "Folder for the model and its scene")
       ->type_name("DIR")
       ->required();
+  verb->add_flag("--json", arguments->json, "Say what was written as JSON");
+  auto shoulder = std::make_optional<OptionGroup>(*verb, "The shoulder");
   verb->add_option("--side", arguments->side, "right (default), left or both")->type_name("WORD");
   verb->add_option("--assembly", arguments->assembly,
                    "tree (default: the scapula hangs from the clavicle) or loop (both hang from "
@@ -233,9 +235,6 @@ void AddGenerateCommand(CLI::App& program) {
       ->type_name("WORD");
   AddAxialFromArgument(*verb, arguments->axial_from,
                        "What the command axial is counted from (default rhythm)");
-  AddRhythmArguments(*verb, arguments->rhythm);
-  AddAnatomyArguments(*verb, arguments->anatomy);
-  AddSkinArguments(*verb, arguments->skin);
   verb->add_flag("--offsets", arguments->offsets,
                  "With commands for shrug and protraction on top of the rhythm");
   verb->add_flag("--rates", arguments->rates,
@@ -244,10 +243,13 @@ void AddGenerateCommand(CLI::App& program) {
   verb->add_flag("--thorax-contact", arguments->thorax_contact,
                  "With a soft force that keeps the scapula's medial border from sinking into the "
                  "thorax");
+  shoulder.reset();
+  AddRhythmArguments(*verb, arguments->rhythm);
+  AddAnatomyArguments(*verb, arguments->anatomy);
+  AddSkinArguments(*verb, arguments->skin);
   AddPluginArgument(*verb, arguments->plugin);
-  verb->add_flag("--json", arguments->json, "Say what was written as JSON");
   verb->footer(
-      "Examples:\n  girdle generate --out my_model\n  girdle generate --side both --assembly loop "
+      "\nExamples:\n  girdle generate --out my_model\n  girdle generate --side both --assembly loop "
       "--out my_model\n  girdle generate --stature 1.85 --body-mass 80 --out my_model\n"
       "  girdle generate --side both --skin implicit --out my_model");
   verb->callback([arguments] { Generate(*arguments); });

@@ -6,20 +6,26 @@
 #include <algorithm>
 #include <exception>
 #include <iostream>
+#include <memory>
 #include <sstream>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "commands/compare_command.h"
-#include "commands/continuity_command.h"
-#include "commands/destep_command.h"
 #include "commands/doctor_command.h"
 #include "commands/exit_status.h"
+#include "commands/fit_thorax_command.h"
 #include "commands/generate_command.h"
+#include "commands/help_formatter.h"
 #include "commands/output_file.h"
 #include "commands/render_command.h"
 #include "commands/simulate_command.h"
+#include "commands/smooth_table_command.h"
+#include "commands/smoothness_command.h"
 #include "commands/solve_command.h"
-#include "commands/thorax_command.h"
+#include "commands/terminal.h"
+#include "commands/typed_words.h"
 #include "commands/verify_command.h"
 #include "text/input_error.h"
 
@@ -28,41 +34,20 @@ namespace {
 
 constexpr const char* kSeeHelp = "See girdle --help";
 
-std::string VerbNames(const CLI::App& program) {
-  std::string names;
-  for (const CLI::App* verb : program.get_subcommands({})) {
-    names += " " + verb->get_name();
+// `girdle help VERB` stands for `girdle VERB --help`, and `girdle help` for `girdle --help`.
+std::vector<std::string> TypedWords(int argc, char** argv) {
+  std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  if (!words.empty() && words.front() == "help") {
+    words.erase(words.begin());
+    words.resize(std::min<std::size_t>(words.size(), 1));
+    words.emplace_back("--help");
   }
-  return names;
-}
-
-// CLI11 would call an unknown verb an unexpected argument.
-void CheckVerb(const CLI::App& program, int argc, char** argv) {
-  if (argc < 2 || argv[1][0] == '-') {
-    return;
-  }
-  for (const CLI::App* verb : program.get_subcommands({})) {
-    if (verb->get_name() == argv[1]) {
-      return;
-    }
-  }
-  throw InputError("'" + std::string(argv[1]) + "' is not a verb. Verbs are:" + VerbNames(program) +
-                   "\n" + kSeeHelp);
-}
-
-// An empty word is a shell variable that was not set, never a choice.
-void RefuseEmptyWords(int argc, char** argv) {
-  for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    if (word.empty() || (word.starts_with("--") && word.ends_with("="))) {
-      const std::string option = word.empty() ? argv[i - 1] : word.substr(0, word.size() - 1);
-      throw InputError(option + " '': is empty. Give it a value or leave it away");
-    }
-  }
+  return words;
 }
 
 int Run(int argc, char** argv) {
   CLI::App program("A human shoulder for MuJoCo that moves as measured.", "girdle");
+  program.formatter(std::make_shared<HelpFormatter>(StyleOfStandardOutput().width));
   program.set_version_flag("--version", "girdle " GIRDLE_VERSION);
   program.require_subcommand(0, 1);
   int residual_status = kFine;
@@ -72,18 +57,22 @@ int Run(int argc, char** argv) {
   AddRenderCommand(program);
   AddVerifyCommand(program, residual_status);
   AddCompareCommand(program);
-  AddContinuityCommand(program, residual_status);
-  AddDestepCommand(program);
+  AddSmoothnessCommand(program, residual_status);
+  AddSmoothTableCommand(program);
   AddDoctorCommand(program, residual_status);
-  AddThoraxCommand(program);
+  AddFitThoraxCommand(program);
+  for (CLI::App* const verb : program.get_subcommands({})) {
+    verb->group("Verbs");
+  }
   program.footer(
       "Exit status: 0 all is well, 1 a residual or check is outside its tolerance, 2 the command "
       "line or a file cannot be used, 3 a fault of Girdle, 4 the memory is used up.\n"
-      "girdle VERB --help tells more, with examples.");
-  RefuseEmptyWords(argc, argv);
-  CheckVerb(program, argc, argv);
+      "girdle help VERB tells more, with examples.");
+  std::vector<std::string> words = TypedWords(argc, argv);
+  ExpectKnownWords(program, words);
   try {
-    program.parse(argc, argv);
+    std::ranges::reverse(words);  // CLI11 takes the last one first
+    program.parse(std::move(words));
   } catch (const CLI::Success& help) {
     std::ostringstream text;
     program.exit(help, text, text);
@@ -93,7 +82,8 @@ int Run(int argc, char** argv) {
     throw InputError(std::string(error.what()) + "\n" + kSeeHelp);
   }
   if (program.get_subcommands().empty()) {
-    throw InputError("no verb. Verbs are:" + VerbNames(program) + "\n" + kSeeHelp);
+    throw InputError("no verb. Give one, such as girdle solve --elevation 90 --plane 40\n" +
+                     std::string(kSeeHelp));
   }
   return residual_status;
 }

@@ -11,7 +11,7 @@ namespace girdle {
 
 /// A file with the option or word that names it.
 struct NamedFile {
-  std::string option;  ///< for messages: `--trace`
+  std::string option;  ///< for messages: `--out`
   std::string path;    ///< `-` for a standard stream; empty for none
 };
 

@@ -193,4 +193,10 @@ void Print(std::string_view text) {
 
 void PrintNote(std::string_view line) { std::cerr << "girdle: " << line << "\n"; }
 
+void NoteWritten(const std::string& path, const std::string& content) {
+  if (!path.empty() && path != "-") {
+    PrintNote("wrote " + path + (content.empty() ? "" : ": " + content));
+  }
+}
+
 }  // namespace girdle

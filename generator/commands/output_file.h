@@ -62,4 +62,8 @@ void Print(std::string_view text);
 /// Writes a line about the work that is done to standard error, where it is in nobody's way.
 void PrintNote(std::string_view line);
 
+/// Notes that a file was written, and what is in it: `wrote map.csv: 91 rows`. Nothing is noted of
+/// standard output (`-`) and of a file that was not asked for (an empty path).
+void NoteWritten(const std::string& path, const std::string& content = "");
+
 }  // namespace girdle

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "commands/option_group.h"
 #include "commands/word_argument.h"
 #include "text/input_error.h"
 #include "text/small_letters.h"
@@ -42,10 +43,11 @@ PictureSize SizeFrom(const std::string& text) {
 }  // namespace
 
 const char* const kPicturesHelp =
-    "Pictures are drawn without a screen, by EGL or else OSMesa; the environment variable "
-    "GIRDLE_GL=egl, osmesa or none\nchooses. girdle doctor says what is there.\n";
+    "\nPictures need no screen: EGL draws them, or else OSMesa. The environment variable "
+    "GIRDLE_GL=egl, osmesa or none chooses; girdle doctor shows what this machine has.\n";
 
 void AddViewArguments(CLI::App& verb, ViewArguments& arguments) {
+  const OptionGroup group(verb, "Pictures");
   verb.add_option("--camera", arguments.camera,
                   "Where a picture looks from: a camera of the model, or front, back, above, "
                   "oblique (default)")

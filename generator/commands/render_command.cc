@@ -93,7 +93,8 @@ void Render(const RenderArguments& arguments) {
                                                 request, ChoiceFrom(arguments.rhythm));
   out.Write(result.png);
   out.Commit();
-  Print(UsedText(result) + "picture  " + arguments.out + "\n");
+  Print(UsedText(result));
+  NoteWritten(arguments.out);
 }
 
 }  // namespace
@@ -106,17 +107,17 @@ void AddRenderCommand(CLI::App& program) {
       ->required();
   verb->add_option("--out", arguments->out, "PNG to write")->type_name("FILE")->required();
   verb->add_option("--keyframe", arguments->keyframe,
-                   "Keyframe of the model to show (default: rest, if it has one)")
+                   "Keyframe of the model to show (default: hanging, if it has one)")
       ->type_name("NAME");
   verb->add_option("--elevation", arguments->elevation,
-                   "Put the arms where the rhythm has them at this elevation, without simulating")
+                   "Put the arms where the rhythm has them at this elevation, without simulation")
       ->type_name("DEG");
-  verb->add_option("--plane", arguments->plane, "... and in this plane (default 0)")
+  verb->add_option("--plane", arguments->plane, "Plane of --elevation (default 0)")
       ->type_name("DEG");
   AddConventionArgument(*verb, arguments->angles);
   verb->add_option("--girdle", arguments->girdle,
                    "measured (default), or frozen: clavicle and scapula stay where the skin was "
-                   "bound (without a skin: at rest) and the arm turns in GH alone, to where it "
+                   "bound (without a skin: as in keyframe hanging) and the arm turns in GH alone, to where it "
                    "points")
       ->type_name("WORD");
   verb->add_option("--side", arguments->side,
@@ -125,10 +126,10 @@ void AddRenderCommand(CLI::App& program) {
   AddViewArguments(*verb, arguments->view);
   AddRhythmArguments(*verb, arguments->rhythm);
   AddPluginArgument(*verb, arguments->plugin);
-  verb->footer(std::string("Any model can be drawn at its keyframes; the rest is for those of "
-                           "Girdle.\n") +
+  verb->footer(std::string("\nAny model can be drawn at its keyframes. --elevation, --girdle and "
+                           "--side are for models of Girdle.\n") +
                kPicturesHelp +
-               "Examples:\n"
+               "\nExamples:\n"
                "  girdle render scene.xml --keyframe abduction_90 --out abduction.png\n"
                "  girdle render scene.xml --elevation 120 --girdle frozen --camera back --out "
                "frozen.png");

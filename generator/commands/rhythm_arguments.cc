@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "anatomy/built_in_anatomy.h"
+#include "commands/option_group.h"
 #include "commands/word_argument.h"
 #include "text/input_error.h"
 #include "text/number_text.h"
@@ -24,7 +25,7 @@ RhythmChoice ChoiceOfWords(const RhythmArguments& arguments) {
 
 void AddTableArgument(CLI::App& verb, std::string& table) {
   verb.add_option("--table", table,
-                  "Table: measured (Ludewig et al. 2009), destepped (the same without the steps "
+                  "Table: measured (Ludewig et al. 2009), smoothed (the same without the steps "
                   "where people dropped out; default with smooth), or a CSV of your own")
       ->type_name("WORD|FILE");
 }
@@ -42,6 +43,7 @@ void AddAxialFromArgument(CLI::App& verb, std::string& axial_from, const std::st
 }
 
 void AddRhythmArguments(CLI::App& verb, RhythmArguments& arguments) {
+  const OptionGroup group(verb, "The rhythm");
   AddTableArgument(verb, arguments.table);
   verb.add_option("--interpolation", arguments.interpolation,
                   "smooth (default), squad (as published) or slerp")
@@ -71,10 +73,10 @@ ShoulderRhythm ChosenRhythm(const ResolvedRhythm& resolved) {
   return MakeRhythm(resolved, BuiltInAnatomy().ranges);
 }
 
-void ExpectRates(const RhythmArguments& arguments) {
+void ExpectDerivatives(const std::string& option, const RhythmArguments& arguments) {
   const Interpolation interpolation = OptionsOf(ChoiceOfWords(arguments)).interpolation;
   if (interpolation != Interpolation::kSmooth) {
-    throw InputError("--rates: the interpolation " + std::string(Name(interpolation)) +
+    throw InputError(option + ": the interpolation " + std::string(Name(interpolation)) +
                      " has no derivatives. Choose --interpolation smooth");
   }
 }

@@ -15,6 +15,7 @@
 
 #include "commands/angle_arguments.h"
 #include "commands/named_files.h"
+#include "commands/option_group.h"
 #include "commands/output_file.h"
 #include "commands/picture_arguments.h"
 #include "commands/progress.h"
@@ -33,13 +34,13 @@ namespace {
 struct SimulateArguments {
   std::string model;
   std::string plugin;
-  std::optional<std::string> raise;
+  std::optional<std::string> elevation;
   std::optional<std::string> plane;
   std::optional<std::string> seconds;
-  std::optional<std::string> motion;
+  std::optional<std::string> in;
   std::optional<std::string> longest;
   AngleArguments angles;
-  std::string trace;
+  std::string out;
   std::string controls;
   std::string picture;
   std::string video;
@@ -51,9 +52,9 @@ struct SimulateArguments {
   bool json = false;
 };
 
-// An elevation of `--raise FROM:TO`.
+// An elevation of `--elevation FROM:TO`.
 double RaiseElevation(const SimulateArguments& arguments, const std::string& text) {
-  const std::string option = "--raise '" + *arguments.raise + "': ";
+  const std::string option = "--elevation '" + *arguments.elevation + "': ";
   const AngleConvention convention = ReadingFrom(arguments.angles).convention;
   const std::optional<double> typed_deg = FiniteNumber(text);
   if (!typed_deg) {
@@ -83,31 +84,34 @@ double LongestMotion_s(const SimulateArguments& arguments) {
 }
 
 MotionRequest Requested(const SimulateArguments& arguments) {
-  if (arguments.raise.has_value() == arguments.motion.has_value()) {
+  if (arguments.elevation.has_value() == arguments.in.has_value()) {
     throw InputError(
-        "which motion? Give either --raise FROM:TO, such as --raise 0:150, or --motion FILE");
+        "no motion, or two. Give either --elevation FROM:TO, such as --elevation 0:150, or --in "
+        "FILE");
   }
   MotionRequest request;
   if (!arguments.side.empty()) {
     ChooseWord("--side", arguments.side, request.side.emplace());
   }
   request.axial_from = AxialFromOf(arguments.axial_from, arguments.angles);
-  if (!arguments.axial_from.empty() && !arguments.motion) {
-    throw InputError("--axial-from belongs to the column axial_deg of a --motion. Leave it away");
+  if (!arguments.axial_from.empty() && !arguments.in) {
+    throw InputError("--axial-from says how the column axial_deg of a motion is read. Give --in FILE, or leave "
+                     "it away");
   }
   const double longest_s = LongestMotion_s(arguments);
-  if (arguments.motion) {
+  if (arguments.in) {
     if (arguments.plane || arguments.seconds) {
       throw InputError(
-          "--plane and --seconds belong to --raise; a --motion says both. Leave them away");
+          "--plane and --seconds belong to --elevation; a motion has both. Leave them away, or "
+          "leave --in away");
     }
     AngleReading reading = ReadingFrom(arguments.angles);
     reading.must_have_axial = !arguments.axial_from.empty();
-    request.motion = MotionFile{*arguments.motion, {reading, longest_s}};
+    request.motion = MotionFile{*arguments.in, {reading, longest_s}};
     return request;
   }
   ExpectNoUnit(arguments.angles);
-  const std::string& raise = *arguments.raise;
+  const std::string& raise = *arguments.elevation;
   const std::size_t colon = std::min(raise.find(':'), raise.size());
   const double plane_rad =
       RadiansFromDegrees(PlaneArgument_deg("--plane", arguments.plane.value_or("0")));
@@ -129,19 +133,19 @@ MotionRequest Requested(const SimulateArguments& arguments) {
 PictureRequest RequestedPictures(const SimulateArguments& arguments) {
   if (arguments.picture.empty() && arguments.video.empty() && !arguments.view.empty()) {
     throw InputError(
-        "--camera, --size and --show belong to a picture. Give --picture FILE.png or --video "
+        "--camera, --size and --show belong to a picture. Give --out-picture FILE.png or --out-video "
         "FILE.mp4");
   }
   if (arguments.video.empty() && !arguments.frames_per_s.empty()) {
-    throw InputError("--fps " + arguments.frames_per_s + ": of which video? Give --video FILE.mp4");
+    throw InputError("--fps " + arguments.frames_per_s + ": there is no video. Give --out-video FILE.mp4, or leave --fps away");
   }
   PictureRequest pictures;
   pictures.view = ChosenView(arguments.view);
   if (!arguments.picture.empty()) {
-    ExpectSuffix("--picture", arguments.picture, ".png");
+    ExpectSuffix("--out-picture", arguments.picture, ".png");
   }
   if (!arguments.video.empty()) {
-    ExpectSuffix("--video", arguments.video, ".mp4");
+    ExpectSuffix("--out-video", arguments.video, ".mp4");
   }
   if (!arguments.frames_per_s.empty()) {
     const double frames_per_s = NumberArgument("--fps", arguments.frames_per_s);
@@ -162,7 +166,7 @@ std::string SummaryAsJson(const SimulateArguments& arguments, const SimulationSu
   const auto file = [](const std::string& name) {
     return name.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(name);
   };
-  json["trace"] = file(arguments.trace);
+  json["trace"] = file(arguments.out);
   json["controls"] = file(arguments.controls);
   json["picture"] = file(arguments.picture);
   json["video"] = file(arguments.video);
@@ -191,8 +195,7 @@ std::string LoopGapsAsText(const SimulationSummary& summary) {
   return text;
 }
 
-// What is said after a simulation: how it went, and a line for each file that was written.
-std::string SummaryAsText(const SimulateArguments& arguments, const SimulationSummary& summary) {
+std::string SummaryAsText(const SimulationSummary& summary) {
   constexpr int kDecimals = 3;
   const CommandTally& tally = summary.tally;
   return "simulated " + RoundedText(summary.duration_s, kDecimals) + " s in " +
@@ -207,38 +210,41 @@ std::string SummaryAsText(const SimulateArguments& arguments, const SimulationSu
               ? "up to " + RoundedText(DegreesFromRadians(tally.farthest_rad), kDecimals) +
                     " deg from measured positions: modelled, not measured\n"
               : "") +
-         LoopGapsAsText(summary) +
-         (!arguments.trace.empty() ? "trace  " + arguments.trace + "\n" : "") +
-         (!arguments.controls.empty() ? "controls  " + arguments.controls + "\n" : "") +
-         (!arguments.picture.empty() ? "picture  " + arguments.picture + "\n" : "") +
-         (!arguments.video.empty()
-              ? "video  " + arguments.video + ", " +
-                    CountText(static_cast<std::uintmax_t>(summary.frames), "frame") + "\n"
-              : "");
+         LoopGapsAsText(summary);
+}
+
+void NoteFilesWritten(const SimulateArguments& arguments, const SimulationSummary& summary) {
+  const std::string rows = CountText(summary.tally.rows, "row");
+  NoteWritten(arguments.out, rows);
+  NoteWritten(arguments.controls, rows);
+  NoteWritten(arguments.picture);
+  NoteWritten(arguments.video,
+              CountText(static_cast<std::uintmax_t>(summary.frames), "frame"));
 }
 
 void Simulate(const SimulateArguments& arguments) {
   const MotionRequest request = Requested(arguments);
-  if (arguments.json && arguments.trace == "-") {
-    throw InputError("--json and --trace - both want standard output. Write the trace to a file");
+  if (arguments.json && arguments.out == "-") {
+    throw InputError("--json and --out - both write to standard output. Give --out a file");
   }
-  if (arguments.controls == "-" && (arguments.json || arguments.trace == "-")) {
-    throw InputError("--controls - wants standard output alone. Write one of them to a file");
+  if (arguments.controls == "-" && (arguments.json || arguments.out == "-")) {
+    throw InputError("--out-controls - and another output both write to standard output. Give one of them a "
+                     "file");
   }
   std::vector<NamedFile> read = ModelFiles(arguments.model);
-  read.insert(read.end(), {{"--motion", arguments.motion.value_or("")},
+  read.insert(read.end(), {{"--in", arguments.in.value_or("")},
                            {"--table", TableFile(arguments.rhythm.table)},
                            {"--plugin", arguments.plugin}});
-  ExpectFilesApart({{"--trace", arguments.trace},
-                    {"--controls", arguments.controls},
-                    {"--picture", arguments.picture},
-                    {"--video", arguments.video}},
+  ExpectFilesApart({{"--out", arguments.out},
+                    {"--out-controls", arguments.controls},
+                    {"--out-picture", arguments.picture},
+                    {"--out-video", arguments.video}},
                    read);
   PictureRequest pictures = RequestedPictures(arguments);
   const SimulationModule& simulation = LoadSimulation();
   std::optional<OutputFile> trace;
-  if (!arguments.trace.empty()) {
-    trace.emplace(arguments.trace);
+  if (!arguments.out.empty()) {
+    trace.emplace(arguments.out);
   }
   std::optional<OutputFile> controls;
   if (!arguments.controls.empty()) {
@@ -260,15 +266,15 @@ void Simulate(const SimulateArguments& arguments) {
       }
     };
   };
-  const bool prints_table = arguments.trace == "-" || arguments.controls == "-";
+  const bool prints_table = arguments.out == "-" || arguments.controls == "-";
   if (picture) {
     pictures.png = into(picture);
   }
   const auto expect_room = [&](std::uintmax_t trace_bytes, std::uintmax_t controls_bytes) {
     // They may be on one disk.
     const std::uintmax_t bytes = (trace ? trace_bytes : 0) + (controls ? controls_bytes : 0);
-    ExpectRoom("--trace", arguments.trace, bytes);
-    ExpectRoom("--controls", arguments.controls, bytes);
+    ExpectRoom("--out", arguments.out, bytes);
+    ExpectRoom("--out-controls", arguments.controls, bytes);
   };
   TerminalProgress progress("simulating", !prints_table);
   const SimulationSummary summary = simulation.simulate(
@@ -281,11 +287,12 @@ void Simulate(const SimulateArguments& arguments) {
       (*file)->Commit();
     }
   }
-  if (arguments.motion) {
-    PrintNote(*arguments.motion + ": " +
-              TallyText(summary.tally, {summary.range, "simulated state", !arguments.trace.empty(),
+  if (arguments.in) {
+    PrintNote(*arguments.in + ": " +
+              TallyText(summary.tally, {summary.range, "simulated state", !arguments.out.empty(),
                                         summary.axial_from}));
   }
+  NoteFilesWritten(arguments, summary);
   if (prints_table) {
     return;  // the table is the output
   }
@@ -293,7 +300,7 @@ void Simulate(const SimulateArguments& arguments) {
     Print(SummaryAsJson(arguments, summary));
     return;
   }
-  Print(SummaryAsText(arguments, summary));
+  Print(SummaryAsText(summary));
 }
 
 }  // namespace
@@ -301,53 +308,61 @@ void Simulate(const SimulateArguments& arguments) {
 void AddSimulateCommand(CLI::App& program) {
   auto arguments = std::make_shared<SimulateArguments>();
   CLI::App* verb =
-      program.add_subcommand("simulate", "Move a model's arm without a screen; trace to CSV");
+      program.add_subcommand("simulate", "Move a model's arm without a screen and write its joints");
   verb->add_option("model", arguments->model, "Model or scene, MJCF or MJB")
       ->type_name("MODEL")
       ->required();
-  verb->add_option("--raise", arguments->raise, "Raise the arm between two elevations")
-      ->type_name("FROM:TO");
-  verb->add_option("--plane", arguments->plane, "Plane of the raise (default 0)")->type_name("DEG");
-  verb->add_option("--seconds", arguments->seconds, "Duration of the raise (default 2)")
-      ->type_name("S");
-  verb->add_option("--motion", arguments->motion,
-                   "CSV with time_s, elevation_deg, plane_deg and optionally axial_deg, shrug_deg, "
-                   "protraction_deg; starts at its first time")
-      ->type_name("FILE");
-  verb->add_option("--longest", arguments->longest,
-                   "How long a motion may be (default 3600); longer ones are refused")
-      ->type_name("S");
-  AddConventionArgument(*verb, arguments->angles);
-  AddUnitArgument(*verb, arguments->angles);
-  verb->add_option("--trace", arguments->trace, "CSV to write; - for standard output")
-      ->type_name("FILE");
-  verb->add_option("--controls", arguments->controls,
-                   "CSV to write: what position servos are to be given at every step, for the same "
-                   "model made with --actuation position; - for standard output")
-      ->type_name("FILE");
-  verb->add_option("--picture", arguments->picture, "PNG to write: the last instant")
-      ->type_name("FILE");
-  verb->add_option("--video", arguments->video,
-                   "MP4 to write: the motion in real time; needs the program ffmpeg")
-      ->type_name("FILE");
-  verb->add_option("--fps", arguments->frames_per_s, "Frames of the video a second (default 30)")
-      ->type_name("N");
+  {
+    const OptionGroup group(*verb, "The motion");
+    verb->add_option("--elevation", arguments->elevation, "Move the arm from one elevation to another")
+        ->type_name("FROM:TO");
+    verb->add_option("--plane", arguments->plane, "Plane of --elevation (default 0)")
+        ->type_name("DEG");
+    verb->add_option("--seconds", arguments->seconds, "Duration of --elevation (default 2)")
+        ->type_name("S");
+    verb->add_option("--in", arguments->in,
+                     "Motion in place of --elevation: a CSV with the columns time_s, elevation_deg, "
+                     "plane_deg and optionally axial_deg, shrug_deg, protraction_deg; the simulation "
+                     "starts at its first time")
+        ->type_name("FILE");
+    verb->add_option("--longest", arguments->longest,
+                     "Longest motion that is accepted (default 3600)")
+        ->type_name("S");
+    AddConventionArgument(*verb, arguments->angles);
+    AddUnitArgument(*verb, arguments->angles);
+    AddAxialFromArgument(*verb, arguments->axial_from,
+                         "Zero of the column axial_deg of --in (default: the model's; isb with "
+                         "--convention isb)");
+  }
+  {
+    const OptionGroup group(*verb, "Outputs");
+    verb->add_option("--out", arguments->out,
+                     "CSV to write: commands, targets and joint angles, a row a step; - for standard "
+                     "output")
+        ->type_name("FILE");
+    verb->add_option("--side", arguments->side,
+                     "Shoulder that --out is of (default: the model's, or the right one of both)")
+        ->type_name("right|left");
+    verb->add_option("--out-controls", arguments->controls,
+                     "CSV to write: the controls of position servos, a row a step, for a model made "
+                     "with --actuation position; - for standard output")
+        ->type_name("FILE");
+    verb->add_option("--out-picture", arguments->picture, "PNG to write: the last instant")
+        ->type_name("FILE");
+    verb->add_option("--out-video", arguments->video,
+                     "MP4 to write: the motion in real time; needs the program ffmpeg")
+        ->type_name("FILE");
+    verb->add_option("--fps", arguments->frames_per_s, "Frames of the video a second (default 30)")
+        ->type_name("N");
+    verb->add_flag("--json", arguments->json, "Summary as JSON");
+  }
   AddViewArguments(*verb, arguments->view);
-  verb->add_option("--side", arguments->side,
-                   "Which shoulder the trace is of (default: the model's, or the right of both)")
-      ->type_name("right|left");
-  AddAxialFromArgument(
-      *verb, arguments->axial_from,
-      "What axial_deg of --motion is counted from (default: as the model does; isb "
-      "with --convention isb)");
   AddRhythmArguments(*verb, arguments->rhythm);
   AddPluginArgument(*verb, arguments->plugin);
-  verb->add_flag("--json", arguments->json, "Summary as JSON");
-  verb->footer(kPicturesHelp + std::string("Examples:\n"
-                                           "  girdle simulate scene.xml --raise 0:150 --plane 0 "
-                                           "--seconds 2 --trace raise.csv\n"
-                                           "  girdle simulate scene.xml --raise 0:150 --video "
-                                           "raise.mp4 --camera front"));
+  verb->footer(kPicturesHelp +
+               std::string("\nExamples:\n"
+                           "  girdle simulate scene.xml --elevation 0:150 --plane 0 --out raise.csv\n"
+                           "  girdle simulate scene.xml --in motion.csv --out-video motion.mp4"));
   verb->callback([arguments] { Simulate(*arguments); });
 }
 

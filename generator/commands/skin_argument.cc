@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "anatomy/built_in_anatomy.h"
+#include "commands/option_group.h"
 #include "commands/word_argument.h"
 #include "rhythm_tables/built_in_tables.h"
 #include "skin/fitted_body.h"
@@ -69,7 +70,7 @@ void ExpectFitting(Source source, const SkinArguments& arguments, const AnatomyA
   }
   if (source != Source::kImplicit && IsAnatomyChosen(anatomy)) {
     throw InputError("--skin " + arguments.skin +
-                     ": bones fitted to that body are its own. Leave out --anatomy, --thorax and "
+                     ": bones fitted to that body are its own. Leave out --anatomy, --ellipsoids and "
                      "all measures of a body, or choose --skin implicit, which is made about the "
                      "bones");
   }
@@ -114,6 +115,7 @@ ChosenBody MadeBody(Source source, const SkinArguments& arguments, const Anatomy
 }  // namespace
 
 void AddSkinArguments(CLI::App& verb, SkinArguments& arguments) {
+  const OptionGroup group(verb, "The skin");
   verb.add_option("--skin", arguments.skin,
                   "With a skin: implicit (a body made of solids about the bones), a FOLDER (a "
                   "man by MakeHuman, which scripts/fetch_body fetches into build/body) or a MESH "

@@ -3,8 +3,10 @@
 
 #include "commands/solve_columns.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <glm/gtc/quaternion.hpp>
 #include <string>
 
 #include "names/model_names.h"
@@ -16,18 +18,36 @@ using Stems = std::vector<std::string>;
 
 constexpr std::array<const char*, 3> kAxes = {"_x", "_y", "_z"};
 
-Stems AngleStems(const SolveAdditions& /*additions*/) {
-  return {kCoordinateNames.begin(), kCoordinateNames.end()};
+Stems AngleStems(const SolveOutput& output) {
+  return output.form == RotationForm::kAngles ? WrittenAngleNames() : Stems();
+}
+
+constexpr std::array<const char*, 4> kQuaternionParts = {"_qw", "_qx", "_qy", "_qz"};
+Stems QuaternionStems(const SolveOutput& output) {
+  Stems stems;
+  for (const std::string_view rotation : kWrittenRotationNames) {
+    for (const char* const part : kQuaternionParts) {
+      if (output.form == RotationForm::kQuaternions) {
+        stems.push_back(std::string(rotation) + part);
+      }
+    }
+  }
+  return stems;
+}
+
+Cell QuaternionPart(const SolvedRow& row, std::size_t k) {
+  const Quaternion& q = row.rotations[k / kQuaternionParts.size()];
+  return std::array{q.w, q.x, q.y, q.z}[k % kQuaternionParts.size()];
 }
 
 // A joint's turn with elevation along three axes, with plane along three, and so for each joint.
 constexpr std::size_t kRatesOfJoint = 2 * kAxes.size();
-Stems RateStems(const SolveAdditions& additions) {
+Stems RateStems(const SolveOutput& output) {
   Stems stems;
   for (const char* joint : {"sc", "ac", "gh"}) {
     for (const char* by : {"_w_elevation", "_w_plane"}) {
       for (const char* axis : kAxes) {
-        if (additions.rates) {
+        if (output.derivatives) {
           stems.push_back(std::string(joint) + by + axis);
         }
       }
@@ -36,10 +56,10 @@ Stems RateStems(const SolveAdditions& additions) {
   return stems;
 }
 
-Stems PointStems(const SolveAdditions& additions) {
+Stems PointStems(const SolveOutput& output) {
   Stems stems;
-  if (additions.points_of) {
-    for (const ShoulderPoint& point : ShoulderPoints(*additions.points_of, {})) {
+  if (output.points_of) {
+    for (const ShoulderPoint& point : ShoulderPoints(*output.points_of, {})) {
       for (const char* axis : kAxes) {
         stems.push_back(point.name + axis);
       }
@@ -56,34 +76,35 @@ Cell Rate(const SolvedRow& row, std::size_t k) {
 }
 
 // In the order of the output. Further columns are a line here.
-constexpr std::array<OutputColumns<SolvedRow, SolveAdditions>, 9> kSolveColumns = {{
+constexpr std::array<OutputColumns<SolvedRow, SolveOutput>, 10> kSolveColumns = {{
     {AngleStems, kDegrees,
      [](const SolvedRow& row, std::size_t k) -> Cell {
        return DegreesFromRadians(row.angles_rad[k]);
      }},
-    {[](const SolveAdditions&) { return Stems{std::string(kClampedStem)}; }, kNoUnit,
+    {QuaternionStems, kNoUnit, QuaternionPart},
+    {[](const SolveOutput&) { return Stems{std::string(kClampedStem)}; }, kNoUnit,
      [](const SolvedRow& row, std::size_t) -> Cell { return row.clamped ? 1.0 : 0.0; }},
-    {[](const SolveAdditions&) {
+    {[](const SolveOutput&) {
        return Stems{std::string(kUsedElevationStem), std::string(kUsedPlaneStem)};
      },
      kDegrees,
      [](const SolvedRow& row, std::size_t k) -> Cell {
        return DegreesFromRadians(k == 0 ? row.used.elevation_rad : row.used.plane_rad);
      }},
-    {[](const SolveAdditions&) { return Stems{std::string(kDistanceStem)}; }, kDegrees,
+    {[](const SolveOutput&) { return Stems{std::string(kDistanceStem)}; }, kDegrees,
      [](const SolvedRow& row, std::size_t) -> Cell {
        return DegreesFromRadians(row.distance_rad);
      }},
-    {[](const SolveAdditions&) { return Stems{std::string(kOriginStem)}; }, kNoUnit,
+    {[](const SolveOutput&) { return Stems{std::string(kOriginStem)}; }, kNoUnit,
      [](const SolvedRow& row, std::size_t) -> Cell { return Name(row.origin); }},
-    {[](const SolveAdditions&) {
+    {[](const SolveOutput&) {
        return Stems{kUsedAxialNames.begin(), kUsedAxialNames.end()};
      },
      kDegrees,
      [](const SolvedRow& row, std::size_t k) -> Cell {
        return DegreesFromRadians(k == 0 ? row.used.axial_rad : row.used_axial_isb_rad);
      }},
-    {[](const SolveAdditions&) {
+    {[](const SolveOutput&) {
        return Stems{kUsedOffsetNames.begin(), kUsedOffsetNames.end()};
      },
      kDegrees,
@@ -97,10 +118,44 @@ constexpr std::array<OutputColumns<SolvedRow, SolveAdditions>, 9> kSolveColumns 
      }},
 }};
 
+Quaternion WithPositiveW(const Quaternion& q) noexcept { return q.w < 0 ? -q : q; }
+
 }  // namespace
 
-WrittenColumns<SolvedRow, AppendRounded> SolveColumns(const SolveAdditions& additions) {
-  return {kSolveColumns, additions};
+WrittenRotations RotationsOf(const ShoulderPose& pose,
+                             const std::optional<ShoulderPose>& since) noexcept {
+  WrittenRotations rotations = {pose.q_TC, pose.q_CS, pose.q_SH, pose.q_TS(), pose.q_TH()};
+  if (since) {
+    const WrittenRotations from = RotationsOf(*since, std::nullopt);
+    for (std::size_t i = 0; i < rotations.size(); ++i) {
+      rotations[i] = glm::conjugate(from[i]) * rotations[i];
+    }
+  }
+  for (Quaternion& q : rotations) {
+    q = WithPositiveW(q);
+  }
+  return rotations;
+}
+
+std::vector<std::string> WrittenAngleNames() {
+  std::vector<std::string> names(kCoordinateNames.begin(), kCoordinateNames.end());
+  names.insert(names.end(), kScapulothoracicNames.begin(), kScapulothoracicNames.end());
+  return names;
+}
+
+WrittenAngles AnglesOf(const WrittenRotations& rotations) noexcept {
+  const auto& [sc, ac, gh, st, ht] = rotations;
+  const JointAngles joints_rad = AnglesFromPose({sc, ac, gh});
+  const Vector3 st_rad = EulerFromQuaternion(EulerSequence::kYXZ, st);
+  WrittenAngles angles_rad;
+  std::ranges::copy(joints_rad, angles_rad.begin());
+  std::ranges::copy(std::array{st_rad.x, st_rad.y, st_rad.z},
+                    angles_rad.begin() + kCoordinateCount);
+  return angles_rad;
+}
+
+WrittenColumns<SolvedRow, RoundedNumbers> SolveColumns(const SolveOutput& output) {
+  return {kSolveColumns, output, {output.digits}};
 }
 
 }  // namespace girdle

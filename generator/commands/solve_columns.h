@@ -5,12 +5,16 @@
 /// how they are computed.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "anatomy/anatomy.h"
 #include "commands/shoulder_points.h"
+#include "kinematics/assembly.h"
 #include "kinematics/shoulder_rhythm.h"
 #include "text/number_text.h"
 #include "text/output_columns.h"
@@ -24,17 +28,61 @@ inline constexpr std::string_view kUsedPlaneStem = "used_plane";
 inline constexpr std::string_view kDistanceStem = "distance";
 inline constexpr std::string_view kOriginStem = "origin";
 
-/// What a row is answered with beside its angles and where they come from.
-struct SolveAdditions {
-  /// The derivatives of the joints' rotations; the interpolation has to be smooth.
-  bool rates = false;
-  /// Whose ShoulderPoints, if anybody's.
-  std::optional<Anatomy> points_of = std::nullopt;
+/// How rotations are written.
+enum class RotationForm {
+  kAngles,       ///< as Euler angles
+  kQuaternions,  ///< as w, x, y, z with w >= 0
 };
+inline constexpr std::array<std::string_view, 2> kRotationFormNames = {"degrees", "quaternions"};
+constexpr const auto& WordsOf(RotationForm /*which*/) noexcept { return kRotationFormNames; }
+
+inline constexpr int kDefaultDigits = 6;
+inline constexpr int kMostDigits = 15;
+
+/// What a position of the arm is answered with.
+struct SolveOutput {
+  RotationForm form = RotationForm::kAngles;
+  /// The pose that rotations are counted from; the zero of each joint if empty.
+  std::optional<ShoulderPose> since = std::nullopt;
+  /// Whether the derivatives of the joints' rotations are written; the interpolation has to be
+  /// smooth.
+  bool derivatives = false;
+  /// Whose ShoulderPoints are written; nobody's if empty.
+  std::optional<Anatomy> points_of = std::nullopt;
+  /// Decimals of numbers in tables, 0 to kMostDigits.
+  int digits = kDefaultDigits;
+};
+
+/// The rotations that are written, each of a bone in another.
+inline constexpr std::size_t kWrittenRotationCount = 5;
+inline constexpr std::array<std::string_view, kWrittenRotationCount> kWrittenRotationNames = {
+    "sc",  // clavicle in thorax, q_TC
+    "ac",  // scapula in clavicle, q_CS
+    "gh",  // humerus in scapula, q_SH
+    "st",  // scapula in thorax, q_TS
+    "ht",  // humerus in thorax, q_TH
+};
+using WrittenRotations = std::array<Quaternion, kWrittenRotationCount>;
+
+/// Returns the rotations of a pose in the order of kWrittenRotationNames, w >= 0. If `since` has a
+/// pose, each is the turn from there, in the axes that the bone has there: q_0^-1 q.
+[[nodiscard]] WrittenRotations RotationsOf(const ShoulderPose& pose,
+                                           const std::optional<ShoulderPose>& since) noexcept;
+
+/// Stems of the angles that are written: kCoordinateNames, then kScapulothoracicNames.
+inline constexpr std::size_t kWrittenAngleCount =
+    kCoordinateCount + kScapulothoracicNames.size();
+using WrittenAngles = std::array<double, kWrittenAngleCount>;
+[[nodiscard]] std::vector<std::string> WrittenAngleNames();
+
+/// Returns the angles [rad] of RotationsOf in the order of WrittenAngleNames; ranges as in
+/// AnglesFromPose.
+[[nodiscard]] WrittenAngles AnglesOf(const WrittenRotations& rotations) noexcept;
 
 /// What the columns of a row that is solved are made of; as in ShoulderSolution.
 struct SolvedRow {
-  JointAngles angles_rad;  ///< in the order of kCoordinateNames
+  WrittenAngles angles_rad;    ///< where the form is degrees
+  WrittenRotations rotations;  ///< where the form is quaternions
   bool clamped;
   ArmCommand used;
   double distance_rad;
@@ -46,16 +94,15 @@ struct SolvedRow {
 
 /// Returns the columns in their order:
 ///
-/// Nine angles, `sc_protraction_deg` and so on; `clamped`, the direction that is answered,
+/// The angles, `sc_protraction_deg` and so on, or as quaternions `sc_qw` and so on; `clamped`, the direction that is answered,
 /// `used_elevation_deg` and `used_plane_deg`; `distance_deg`, `origin`; `used_axial_deg`, the
 /// humerus's turn on top of the rhythm's own, and `used_axial_isb_deg`, ISB's third angle; the
 /// offsets of the clavicle that were left, `used_shrug_deg` and `used_protraction_deg`.
 ///
-/// With rates three columns a joint for each of elevation and plane, `sc_w_elevation_x` and so on:
+/// With derivatives three columns a joint for each of elevation and plane, `sc_w_elevation_x` and so on:
 /// the angular velocity of the child in the parent, in the parent's axes [deg per deg].
 ///
 /// With points three columns for each of them, `elbow_x_mm` and so on, in the thorax frame.
-[[nodiscard]] WrittenColumns<SolvedRow, AppendRounded> SolveColumns(
-    const SolveAdditions& additions);
+[[nodiscard]] WrittenColumns<SolvedRow, RoundedNumbers> SolveColumns(const SolveOutput& output);
 
 }  // namespace girdle

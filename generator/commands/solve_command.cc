@@ -24,11 +24,13 @@
 #include "commands/angle_arguments.h"
 #include "commands/angle_sweep.h"
 #include "commands/named_files.h"
+#include "commands/option_group.h"
 #include "commands/output_file.h"
 #include "commands/rhythm_arguments.h"
 #include "commands/shoulder_points.h"
 #include "commands/solve_columns.h"
 #include "commands/solve_rows.h"
+#include "commands/word_argument.h"
 #include "motions/command_columns.h"
 #include "names/model_names.h"
 #include "text/input_error.h"
@@ -56,9 +58,12 @@ struct SolveArguments {
   std::optional<std::string> protraction_deg;
   std::optional<std::string> posture;
   std::optional<std::string> threads;
+  std::optional<std::string> digits;
+  std::string form;
+  std::string since;
   std::string in;
   std::string out;
-  bool rates = false;
+  bool derivatives = false;
   bool landmarks = false;
   bool json = false;
 };
@@ -198,22 +203,74 @@ nlohmann::ordered_json PointsAsJson(const Anatomy& anatomy, const ShoulderPose& 
   return json;
 }
 
-SolveAdditions ChosenAdditions(const SolveArguments& arguments) {
+// The pose of the rhythm with the arm hanging, without an axial turn or offsets of its own.
+ShoulderPose HangingPose(const ShoulderRhythm& rhythm) {
+  const ShoulderSolution hanging = rhythm.Solve({});
+  if (hanging.clamped) {
+    throw InputError(
+        "--relative-to hanging: this rhythm does not reach the hanging arm. Leave --range clamp, "
+        "--interpolation and --closure away");
+  }
+  return hanging.pose;
+}
+
+int ChosenDigits(const std::optional<std::string>& text) {
+  if (!text) {
+    return kDefaultDigits;
+  }
+  const std::optional<double> number = FiniteNumber(*text);
+  if (!number || *number < 0 || *number > kMostDigits || *number != std::floor(*number)) {
+    throw InputError("--digits '" + *text + "': not a whole number from 0 to " +
+                     std::to_string(kMostDigits) + ". Give one such as --digits 3");
+  }
+  return static_cast<int>(*number);
+}
+
+SolveOutput ChosenOutput(const SolveArguments& arguments, const ShoulderRhythm& rhythm) {
   if (!arguments.landmarks && IsAnatomyChosen(arguments.anatomy)) {
     throw InputError(
         "whose shoulder it is changes no angle, only where landmarks are. Add --landmarks, or "
-        "leave --anatomy, --thorax and the measures away");
+        "leave --anatomy, --ellipsoids and the measures away");
   }
-  SolveAdditions additions;
-  additions.rates = arguments.rates;
+  SolveOutput output;
+  ChooseWord("--as", arguments.form, output.form);
+  if (!arguments.since.empty()) {
+    if (arguments.since != kHangingName) {
+      throw InputError("--relative-to " + arguments.since + ": not known. Choose hanging");
+    }
+    output.since = HangingPose(rhythm);
+  }
+  output.digits = ChosenDigits(arguments.digits);
+  output.derivatives = arguments.derivatives;
   if (arguments.landmarks) {
-    additions.points_of = ChosenAnatomy(arguments.anatomy);
+    output.points_of = ChosenAnatomy(arguments.anatomy);
   }
-  return additions;
+  return output;
+}
+
+// The rotations of a pose, in the form that is asked for.
+void AddRotations(nlohmann::ordered_json& json, const ShoulderPose& pose,
+                  const SolveOutput& output) {
+  if (output.since) {
+    json["relative_to"] = kHangingName;
+  }
+  const WrittenRotations rotations = RotationsOf(pose, output.since);
+  if (output.form == RotationForm::kQuaternions) {
+    for (std::size_t i = 0; i < rotations.size(); ++i) {
+      const Quaternion& q = rotations[i];
+      json["quaternions"][std::string(kWrittenRotationNames[i])] = {q.w, q.x, q.y, q.z};
+    }
+    return;
+  }
+  const std::vector<std::string> names = WrittenAngleNames();
+  const WrittenAngles angles_rad = AnglesOf(rotations);
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    json["angles_deg"][names[k]] = DegreesFromRadians(angles_rad[k]);
+  }
 }
 
 std::string PoseAsJson(const ShoulderRhythm& rhythm, const TypedPose& typed,
-                       const ShoulderSolution& solution, const SolveAdditions& additions) {
+                       const ShoulderSolution& solution, const SolveOutput& output) {
   const CellEdges edges = EdgesOf(rhythm.table(), solution.cell);
   nlohmann::ordered_json json;
   json[kElevationColumn] = typed.elevation_deg;
@@ -241,14 +298,11 @@ std::string PoseAsJson(const ShoulderRhythm& rhythm, const TypedPose& typed,
                   {kProtractionColumn, DegreesFromRadians(solution.used.protraction_rad)}};
   json[ColumnName(kDistanceStem, kDegrees)] = DegreesFromRadians(solution.distance_rad);
   json[std::string(kOriginStem)] = Name(solution.origin);
-  const JointAngles angles_rad = AnglesFromPose(solution.pose);
-  for (std::size_t k = 0; k < kCoordinateCount; ++k) {
-    json["angles_deg"][std::string(kCoordinateNames[k])] = DegreesFromRadians(angles_rad[k]);
+  AddRotations(json, solution.pose, output);
+  if (output.points_of) {
+    json[kLandmarksKey] = PointsAsJson(*output.points_of, solution.pose);
   }
-  if (additions.points_of) {
-    json[kLandmarksKey] = PointsAsJson(*additions.points_of, solution.pose);
-  }
-  if (additions.rates) {
+  if (output.derivatives) {
     json["derivatives"] = DerivativesAsJson(*rhythm.SolveDerivatives(typed.command()));
   }
   return JsonText(json);
@@ -258,42 +312,59 @@ constexpr std::size_t kLabelWidth = 22;
 constexpr std::size_t kAngleWidth = 13;
 constexpr int kDecimals = 6;
 
-std::string AnglesAsText(const JointAngles& angles_rad) {
-  std::string text;
-  for (std::size_t k = 0; k < kCoordinateCount; ++k) {
-    text += AlignedLeft(std::string(kCoordinateNames[k]), kLabelWidth) +
-            AlignedRight(RoundedText(DegreesFromRadians(angles_rad[k]), kDecimals), kAngleWidth) +
-            " deg\n";
+// Numbers to the right of a label, each in a column of its own.
+std::string NumbersAsText(const std::string& label, const std::vector<double>& numbers,
+                          int digits) {
+  std::string text = AlignedLeft(label, kLabelWidth);
+  for (const double number : numbers) {
+    text += " " + AlignedRight(RoundedText(number, digits), kAngleWidth - 1);
   }
   return text;
 }
 
-std::string PointsAsText(const Anatomy& anatomy, const ShoulderPose& pose) {
+std::string RotationsAsText(const ShoulderPose& pose, const SolveOutput& output) {
+  std::string text = output.since ? "turned since the arm was hanging\n" : "";
+  const WrittenRotations rotations = RotationsOf(pose, output.since);
+  if (output.form == RotationForm::kQuaternions) {
+    text += "quaternions w, x, y, z\n";
+    for (std::size_t i = 0; i < rotations.size(); ++i) {
+      const Quaternion& q = rotations[i];
+      text += NumbersAsText(std::string(kWrittenRotationNames[i]), {q.w, q.x, q.y, q.z},
+                            output.digits) +
+              "\n";
+    }
+    return text;
+  }
+  const std::vector<std::string> names = WrittenAngleNames();
+  const WrittenAngles angles_rad = AnglesOf(rotations);
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    text += NumbersAsText(names[k], {DegreesFromRadians(angles_rad[k])}, output.digits) + " deg\n";
+  }
+  return text;
+}
+
+std::string PointsAsText(const Anatomy& anatomy, const ShoulderPose& pose, int digits) {
   std::string text = "\n" + AlignedLeft("in the thorax (mm)", kLabelWidth);
   for (const char* axis : {"x", "y", "z"}) {
     text += AlignedRight(axis, kAngleWidth);
   }
   text += "\n";
   for (const ShoulderPoint& point : ShoulderPoints(anatomy, pose)) {
-    text += AlignedLeft(point.name, kLabelWidth);
-    for (int axis = 0; axis < 3; ++axis) {
-      text += AlignedRight(RoundedText(point.p_mm[axis], kDecimals), kAngleWidth);
-    }
-    text += "\n";
+    text += NumbersAsText(point.name, {point.p_mm.x, point.p_mm.y, point.p_mm.z}, digits) + "\n";
   }
   return text;
 }
 
 // How each angle changes with elevation and plane.
-std::string RatesAsText(const ShoulderDerivatives& derivatives) {
+std::string DerivativesAsText(const ShoulderDerivatives& derivatives, int digits) {
   std::string text = "\n" + AlignedLeft("change of", kLabelWidth) +
                      AlignedRight("elevation", kAngleWidth) + AlignedRight("plane", kAngleWidth) +
                      "  deg per deg\n";
   for (std::size_t k = 0; k < kCoordinateCount; ++k) {
     const AngleDerivatives& angle = derivatives.angles[k];
-    text += AlignedLeft(std::string(kCoordinateNames[k]), kLabelWidth) +
-            AlignedRight(RoundedText(angle.by_elevation, kDecimals), kAngleWidth) +
-            AlignedRight(RoundedText(angle.by_plane, kDecimals), kAngleWidth) + "\n";
+    text += NumbersAsText(std::string(kCoordinateNames[k]), {angle.by_elevation, angle.by_plane},
+                          digits) +
+            "\n";
   }
   return text;
 }
@@ -321,7 +392,7 @@ std::string UsedAsText(const ShoulderRhythm& rhythm, const ArmCommand& given,
 }
 
 std::string PoseAsText(const ShoulderRhythm& rhythm, const TypedPose& typed,
-                       const ShoulderSolution& solution, const SolveAdditions& additions) {
+                       const ShoulderSolution& solution, const SolveOutput& output) {
   const CellEdges edges = EdgesOf(rhythm.table(), solution.cell);
   const auto range = [](double from_deg, double to_deg, double weight) {
     return RoundedText(from_deg, kDecimals) + " to " + RoundedText(to_deg, kDecimals) +
@@ -347,14 +418,21 @@ std::string PoseAsText(const ShoulderRhythm& rhythm, const TypedPose& typed,
       RoundedText(DegreesFromRadians(rhythm.AxialOf(AxialFrom::kIsb, solution.pose, solution.used)),
                   kDecimals) +
       " deg";
-  text += "\n\n" + AnglesAsText(AnglesFromPose(solution.pose));
-  if (additions.points_of) {
-    text += PointsAsText(*additions.points_of, solution.pose);
+  text += "\n\n" + RotationsAsText(solution.pose, output);
+  if (output.points_of) {
+    text += PointsAsText(*output.points_of, solution.pose, output.digits);
   }
-  if (additions.rates) {
-    text += RatesAsText(*rhythm.SolveDerivatives(typed.command()));
+  if (output.derivatives) {
+    text += DerivativesAsText(*rhythm.SolveDerivatives(typed.command()), output.digits);
   }
   return text;
+}
+
+void WriteTo(const std::string& path, const std::string& text) {
+  OutputFile out(path);
+  out.Write(text);
+  out.Commit();
+  NoteWritten(path);
 }
 
 void SolveOne(const SolveArguments& arguments) {
@@ -368,44 +446,38 @@ void SolveOne(const SolveArguments& arguments) {
                            ChosenAxialFrom(arguments)};
   const ShoulderRhythm rhythm = ChosenRhythm(arguments.rhythm);
   const ShoulderSolution solution = rhythm.Solve(typed.command());
-  const SolveAdditions additions = ChosenAdditions(arguments);
-  OutputFile out(arguments.out);
-  out.Write(arguments.json ? PoseAsJson(rhythm, typed, solution, additions)
-                           : PoseAsText(rhythm, typed, solution, additions));
-  out.Commit();
+  const SolveOutput output = ChosenOutput(arguments, rhythm);
+  WriteTo(arguments.out, arguments.json ? PoseAsJson(rhythm, typed, solution, output)
+                                        : PoseAsText(rhythm, typed, solution, output));
 }
 
 void SolvePosture(const SolveArguments& arguments) {
   if (*arguments.posture != kRelaxedName) {
-    throw InputError("--pose " + *arguments.posture +
+    throw InputError("--posture " + *arguments.posture +
                      ": not known. Choose one of: " + std::string(kRelaxedName));
   }
   if (arguments.elevation_deg || arguments.plane_deg || arguments.axial_deg ||
       !arguments.axial_from.empty() || arguments.shrug_deg || arguments.protraction_deg ||
-      arguments.rates || !arguments.in.empty() || arguments.threads) {
-    throw InputError("--pose says all of the arm. Leave the other options of the arm away");
+      arguments.derivatives || !arguments.in.empty() || arguments.threads) {
+    throw InputError("--posture says all of the arm. Leave the other options of the arm away");
   }
-  const ShoulderPose pose = HangingIn(RelaxedStanding(), ChosenRhythm(arguments.rhythm));
-  const SolveAdditions additions = ChosenAdditions(arguments);
-  const JointAngles angles_rad = AnglesFromPose(pose);
-  std::string text = "posture         " + *arguments.posture + "\n\n" + AnglesAsText(angles_rad);
-  if (additions.points_of) {
-    text += PointsAsText(*additions.points_of, pose);
+  const ShoulderRhythm rhythm = ChosenRhythm(arguments.rhythm);
+  const ShoulderPose pose = HangingIn(RelaxedStanding(), rhythm);
+  const SolveOutput output = ChosenOutput(arguments, rhythm);
+  std::string text = "posture         " + *arguments.posture + "\n\n" + RotationsAsText(pose, output);
+  if (output.points_of) {
+    text += PointsAsText(*output.points_of, pose, output.digits);
   }
   if (arguments.json) {
     nlohmann::ordered_json json;
     json["posture"] = *arguments.posture;
-    for (std::size_t k = 0; k < kCoordinateCount; ++k) {
-      json["angles_deg"][std::string(kCoordinateNames[k])] = DegreesFromRadians(angles_rad[k]);
-    }
-    if (additions.points_of) {
-      json[kLandmarksKey] = PointsAsJson(*additions.points_of, pose);
+    AddRotations(json, pose, output);
+    if (output.points_of) {
+      json[kLandmarksKey] = PointsAsJson(*output.points_of, pose);
     }
     text = JsonText(json);
   }
-  OutputFile out(arguments.out);
-  out.Write(text);
-  out.Commit();
+  WriteTo(arguments.out, text);
 }
 
 std::size_t ChosenThreads(const std::optional<std::string>& text) {
@@ -430,12 +502,12 @@ AngleReading ChosenReading(const SolveArguments& arguments) {
   return reading;
 }
 
-RowOptions ChosenRowOptions(const SolveArguments& arguments) {
+RowOptions ChosenRowOptions(const SolveArguments& arguments, const ShoulderRhythm& rhythm) {
   RowOptions options;
   options.threads = ChosenThreads(arguments.threads);
   options.shrug_deg = ShrugArgument(arguments);
   options.protraction_deg = ProtractionArgument(arguments);
-  options.additions = ChosenAdditions(arguments);
+  options.output = ChosenOutput(arguments, rhythm);
   if (arguments.axial_deg) {
     options.axial_deg = AxialArgument_deg("--axial", *arguments.axial_deg);
   }
@@ -444,8 +516,8 @@ RowOptions ChosenRowOptions(const SolveArguments& arguments) {
 }
 
 void SolveFile(const RowSource& source, const SolveArguments& arguments) {
-  const RowOptions options = ChosenRowOptions(arguments);
-  SolveRows(source, arguments.out, ChosenRhythm(arguments.rhythm), options);
+  const ShoulderRhythm rhythm = ChosenRhythm(arguments.rhythm);
+  SolveRows(source, arguments.out, rhythm, ChosenRowOptions(arguments, rhythm));
 }
 
 // As they were typed.
@@ -476,21 +548,21 @@ void SolveAllPositions(const SolveArguments& arguments) {
                      " positions, at most " + std::to_string(kMostSwept) +
                      " are solved at once. Give larger steps, or a file with --in");
   }
-  const RowOptions options = ChosenRowOptions(arguments);
-  SolveSweep(sweep, arguments.out, ChosenRhythm(arguments.rhythm), options);
+  const ShoulderRhythm rhythm = ChosenRhythm(arguments.rhythm);
+  SolveSweep(sweep, arguments.out, rhythm, ChosenRowOptions(arguments, rhythm));
 }
 
 void Solve(const SolveArguments& arguments) {
   ExpectFilesApart({{"--out", arguments.out}}, {{"--in", arguments.in},
                                                 {"--table", TableFile(arguments.rhythm.table)},
                                                 {"--anatomy", arguments.anatomy.file},
-                                                {"--thorax", arguments.anatomy.thorax}});
+                                                {"--ellipsoids", arguments.anatomy.ellipsoids}});
   if (arguments.posture) {
     SolvePosture(arguments);
     return;
   }
-  if (arguments.rates) {
-    ExpectRates(arguments.rhythm);
+  if (arguments.derivatives) {
+    ExpectDerivatives("--derivatives", arguments.rhythm);
   }
   const bool one = arguments.elevation_deg.has_value() || arguments.plane_deg.has_value();
   if (one && !arguments.in.empty()) {
@@ -538,53 +610,70 @@ void AddSolveCommand(CLI::App& program) {
   auto arguments = std::make_shared<SolveArguments>();
   arguments->out = "-";
   CLI::App* verb =
-      program.add_subcommand("solve", "Joint angles for one arm position or a CSV of them");
-  verb->add_option("--elevation", arguments->elevation_deg,
-                   "Humeral elevation, 0 to 180; FROM:TO:STEP gives a CSV of them")
-      ->type_name("DEG");
-  verb->add_option("--plane", arguments->plane_deg,
-                   "Plane of elevation, -95 to 135: 0 frontal, 40 scapular, 90 sagittal; or "
-                   "FROM:TO:STEP")
-      ->type_name("DEG");
-  verb->add_option("--axial", arguments->axial_deg,
-                   "Turn about the humerus's long axis on top of the measured one, or as "
-                   "--axial-from says")
-      ->type_name("DEG");
-  AddAxialFromArgument(*verb, arguments->axial_from,
-                       "What --axial or the column axial_deg is counted from (default rhythm; "
-                       "isb with --convention isb)");
-  AddConventionArgument(*verb, arguments->angles);
-  AddUnitArgument(*verb, arguments->angles);
-  verb->add_option("--shrug", arguments->shrug_deg,
-                   "Clavicle raised beyond the rhythm, up to 35; down to -15")
-      ->type_name("DEG");
-  verb->add_option("--protraction", arguments->protraction_deg,
-                   "Clavicle protracted beyond the rhythm, up to 30; back to -25")
-      ->type_name("DEG");
-  verb->add_option("--pose", arguments->posture, "A named posture instead: relaxed")
-      ->type_name("NAME");
-  verb->add_flag("--rates", arguments->rates,
-                 "With derivatives by elevation and plane; needs the interpolation smooth");
-  verb->add_flag("--landmarks", arguments->landmarks,
-                 "With positions in the thorax in mm, x forward, y up, z to the right, from IJ: "
-                 "elbow_x_mm and so on, also sc, pac, ts, ai, aa, pc, acj, gc, gh, em, el");
-  verb->add_option(
-          "--in", arguments->in,
-          "CSV with the columns elevation_deg and plane_deg, optionally axial_deg, shrug_deg, "
-          "protraction_deg; - for standard input")
-      ->type_name("FILE");
-  verb->add_option("--out", arguments->out, "Where to write; - for standard output (default)")
-      ->type_name("FILE");
-  verb->add_option("--threads", arguments->threads,
-                   "How many threads solve a file, 1 to 64; as many as there are cores, 4 at most, "
-                   "if not given. The output is the same")
-      ->type_name("N");
-  verb->add_flag("--json", arguments->json, "One pose as JSON");
+      program.add_subcommand("solve", "Joint angles for one position of the arm, or for a CSV of them");
+  {
+    const OptionGroup group(*verb, "The arm");
+    verb->add_option("--elevation", arguments->elevation_deg,
+                     "Humeral elevation, 0 to 180; FROM:TO:STEP gives a CSV of them")
+        ->type_name("DEG");
+    verb->add_option("--plane", arguments->plane_deg,
+                     "Plane of elevation, -95 to 135: 0 frontal, 40 scapular, 90 sagittal; or "
+                     "FROM:TO:STEP")
+        ->type_name("DEG");
+    verb->add_option("--axial", arguments->axial_deg,
+                     "Axial turn of the humerus, counted from where --axial-from says (default 0)")
+        ->type_name("DEG");
+    verb->add_option("--shrug", arguments->shrug_deg,
+                     "Clavicle raised beyond the rhythm, -15 to 35 (default 0)")
+        ->type_name("DEG");
+    verb->add_option("--protraction", arguments->protraction_deg,
+                     "Clavicle protracted beyond the rhythm, -25 to 30 (default 0)")
+        ->type_name("DEG");
+    verb->add_option("--in", arguments->in,
+                     "CSV of positions with the columns elevation_deg and plane_deg, optionally "
+                     "axial_deg, shrug_deg, protraction_deg; - for standard input")
+        ->type_name("FILE");
+    verb->add_option("--posture", arguments->posture,
+                     "A measured posture in place of a position: relaxed (standing)")
+        ->type_name("NAME");
+    AddAxialFromArgument(*verb, arguments->axial_from,
+                         "Zero of --axial and of the column axial_deg (default rhythm; isb with "
+                         "--convention isb)");
+    AddConventionArgument(*verb, arguments->angles);
+    AddUnitArgument(*verb, arguments->angles);
+  }
+  {
+    const OptionGroup group(*verb, "The answer");
+    verb->add_option("--out", arguments->out, "File to write; - for standard output (default)")
+        ->type_name("FILE");
+    verb->add_option("--as", arguments->form,
+                     "Rotations as degrees (default: sc_, ac_, gh_ of the joints, st_ of the "
+                     "scapula in the thorax) or as quaternions w, x, y, z (ht_ of the humerus in the "
+                     "thorax, too)")
+        ->type_name("WORD");
+    verb->add_option("--relative-to", arguments->since,
+                     "hanging: every rotation is the turn since the arm was hanging, about the axes "
+                     "that the bone has there")
+        ->type_name("hanging");
+    verb->add_option("--digits", arguments->digits,
+                     "Decimals of the numbers in CSV and text, 0 to 15 (default 6)")
+        ->type_name("N");
+    verb->add_flag("--landmarks", arguments->landmarks,
+                   "With positions in the thorax in mm, x forward, y up, z to the right, from IJ: "
+                   "elbow_x_mm and so on, also sc, pac, ts, ai, aa, pc, acj, gc, gh, em, el");
+    verb->add_flag("--derivatives", arguments->derivatives,
+                   "With derivatives by elevation and plane; needs the interpolation smooth");
+    verb->add_flag("--json", arguments->json, "One position as JSON, with all digits");
+    verb->add_option("--threads", arguments->threads,
+                     "Threads that solve a file, 1 to 64 (default: the number of cores, 4 at most); "
+                     "the output does not depend on it")
+        ->type_name("N");
+  }
   AddRhythmArguments(*verb, arguments->rhythm);
   AddAnatomyArguments(*verb, arguments->anatomy);
   verb->footer(
-      "Examples:\n"
-      "  girdle solve --elevation 23 --plane 50\n"
+      "\nExamples:\n"
+      "  girdle solve --elevation 90 --plane 40\n"
       "  girdle solve --elevation 0:180:1 --plane -95:135:5 --out map.csv\n"
       "  girdle solve --elevation 90 --plane 40 --landmarks --stature 1.85\n"
       "  girdle solve --in poses.csv --out angles.csv");

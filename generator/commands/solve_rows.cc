@@ -83,7 +83,7 @@ class RowAnswers {
  public:
   // Rhythm and options have to outlive it.
   RowAnswers(const ShoulderRhythm& rhythm, const RowOptions& options)
-      : rhythm_(rhythm), additions_(options.additions), columns_(SolveColumns(additions_)) {}
+      : rhythm_(rhythm), output_(options.output), columns_(SolveColumns(output_)) {}
 
   // Throws InputError at the header if a column would stand twice in the output.
   void ExpectNoneIn(const CsvReader& csv) const {
@@ -123,15 +123,16 @@ class RowAnswers {
       tally.Add(rhythm_, rows.commands[i], solved.used[i], solved.origins[i],
                 solved.distances_rad[i]);
       SolvedRow row{
-          solved.angles_rad[i], rhythm_.IsClamped(rows.commands[i], solved.used[i]),
+          {}, {}, rhythm_.IsClamped(rows.commands[i], solved.used[i]),
           solved.used[i],       solved.distances_rad[i],
           solved.origins[i],    rhythm_.AxialOf(AxialFrom::kIsb, solved.poses[i], solved.used[i]),
           std::nullopt,         {}};
-      if (additions_.rates) {
+      AddRotations(row, solved.poses[i], solved.angles_rad[i]);
+      if (output_.derivatives) {
         row.rates = rhythm_.SolveRates(rows.commands[i]);
       }
-      if (additions_.points_of) {
-        row.points = ShoulderPoints(*additions_.points_of, solved.poses[i]);
+      if (output_.points_of) {
+        row.points = ShoulderPoints(*output_.points_of, solved.poses[i]);
       }
       text += rows.lines[i];
       text += ',';
@@ -142,9 +143,23 @@ class RowAnswers {
   }
 
  private:
+  // Angles of joints are at hand, faster than from their rotations.
+  void AddRotations(SolvedRow& row, const ShoulderPose& pose, const JointAngles& joints_rad) const {
+    if (output_.form == RotationForm::kQuaternions) {
+      row.rotations = RotationsOf(pose, output_.since);
+    } else if (output_.since) {
+      row.angles_rad = AnglesOf(RotationsOf(pose, output_.since));
+    } else {
+      const Vector3 st_rad = EulerFromQuaternion(EulerSequence::kYXZ, pose.q_TS());
+      std::ranges::copy(joints_rad, row.angles_rad.begin());
+      std::ranges::copy(std::array{st_rad.x, st_rad.y, st_rad.z},
+                        row.angles_rad.begin() + kCoordinateCount);
+    }
+  }
+
   const ShoulderRhythm& rhythm_;
-  const SolveAdditions& additions_;
-  WrittenColumns<SolvedRow, AppendRounded> columns_;
+  const SolveOutput& output_;
+  WrittenColumns<SolvedRow, RoundedNumbers> columns_;
 };
 
 // Rows of a CSV. One thread at a time takes a block, and reads it while others take theirs.
@@ -451,8 +466,13 @@ void SolveInput(Input& input, const RowAnswers& answers, const std::string& out,
   const CommandTally tally = RowWorkers(input, answers, file, progress).Run(threads);
   file.Commit();
   progress.Clear();
-  PrintNote(input.name() + ": " +
-            TallyText(tally, {.range = answers.range(), .axial_from = input.axial_from()}));
+  const std::string content =
+      TallyText(tally, {.range = answers.range(), .axial_from = input.axial_from()});
+  if (out == "-") {
+    PrintNote(input.name() + ": " + content);
+  } else {
+    NoteWritten(out, content);
+  }
 }
 
 }  // namespace

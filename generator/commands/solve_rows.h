@@ -39,7 +39,7 @@ struct RowOptions {
   std::optional<double> axial_deg;
   std::optional<double> shrug_deg;
   std::optional<double> protraction_deg;
-  SolveAdditions additions;
+  SolveOutput output;
   std::size_t threads = 1;  ///< at least 1
 };
 

@@ -3,17 +3,22 @@
 
 #include "commands/verify_command.h"
 
+#include <cstddef>
 #include <functional>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "commands/anatomy_arguments.h"
 #include "commands/angle_sweep.h"
 #include "commands/exit_status.h"
+#include "commands/option_group.h"
 #include "commands/output_file.h"
 #include "commands/progress.h"
 #include "commands/rhythm_arguments.h"
 #include "commands/simulation_module.h"
+#include "commands/terminal.h"
 #include "commands/word_argument.h"
 #include "text/input_error.h"
 
@@ -29,6 +34,7 @@ struct VerifyArguments {
   std::string elevation;
   std::string plane;
   std::string girdle;
+  bool full = false;
   bool json = false;
 };
 
@@ -43,12 +49,26 @@ constexpr SweptAngle kPlaneSweep = {"--plane", kDefaultPlane, -kHalfCircle_deg, 
 // Of each angle; a finer grid tells nothing more and takes minutes.
 constexpr std::uint64_t kMostValues = 181;
 
+ReportChoice ChosenForm(const VerifyArguments& arguments) {
+  if (arguments.full && arguments.json) {
+    throw InputError("--full and --json: --json has all lines already. Leave --full away");
+  }
+  ReportChoice choice{arguments.full ? ReportForm::kFull : ReportForm::kSummary,
+                      StyleOfStandardOutput()};
+  if (arguments.json) {
+    choice.form = ReportForm::kJson;
+  } else if (arguments.full && !IsTerminal()) {
+    // One line a residual, for programs that search lines.
+    choice.style.width = std::numeric_limits<std::size_t>::max();
+  }
+  return choice;
+}
+
 VerifyResult VerifyMapped(const VerifyArguments& arguments, TerminalProgress& progress) {
   if (IsAnatomyChosen(arguments.anatomy)) {
     throw InputError(
-        "--anatomy, --thorax and the sizes are for models of Girdle; with --mapping the model's "
-        "own "
-        "bones are looked at. Leave them away");
+        "--anatomy, --ellipsoids and the sizes are for models of Girdle; with --mapping the bones "
+        "are those of the model. Leave them away");
   }
   const auto values_deg = [](const SweptAngle& angle, const std::string& given,
                              const char* otherwise) {
@@ -58,7 +78,7 @@ VerifyResult VerifyMapped(const VerifyArguments& arguments, TerminalProgress& pr
       {arguments.model, arguments.mapping,
        values_deg(kElevationSweep, arguments.elevation, kDefaultElevation),
        values_deg(kPlaneSweep, arguments.plane, kDefaultPlane)},
-      ChosenPlugin(arguments.plugin), ChoiceFrom(arguments.rhythm), arguments.json,
+      ChosenPlugin(arguments.plugin), ChoiceFrom(arguments.rhythm), ChosenForm(arguments),
       std::ref(progress));
 }
 
@@ -75,13 +95,15 @@ bool Verify(const VerifyArguments& arguments) {
   }
   GirdleMotion girdle = GirdleMotion::kMeasured;
   ChooseWord("--girdle", arguments.girdle, girdle);
-  const Anatomy anatomy = ChosenAnatomy(arguments.anatomy);
+  const std::optional<Anatomy> anatomy =
+      IsAnatomyChosen(arguments.anatomy) ? std::optional(ChosenAnatomy(arguments.anatomy))
+                                         : std::nullopt;
   TerminalProgress progress("verifying");
   const VerifyResult result =
       arguments.mapping.empty()
           ? LoadSimulation().verify(arguments.model, ChosenPlugin(arguments.plugin),
-                                    ChoiceFrom(arguments.rhythm), anatomy, girdle, arguments.json,
-                                    std::ref(progress))
+                                    ChoiceFrom(arguments.rhythm), anatomy, girdle,
+                                    ChosenForm(arguments), std::ref(progress))
           : VerifyMapped(arguments, progress);
   progress.Clear();
   Print(result.report);
@@ -96,36 +118,38 @@ void AddVerifyCommand(CLI::App& program, int& status) {
   verb->add_option("model", arguments->model, "Model or scene, MJCF or MJB")
       ->type_name("MODEL")
       ->required();
+  verb->add_flag("--full", arguments->full, "Every residual in place of a summary");
+  verb->add_flag("--json", arguments->json, "Every residual as JSON");
+  AddPluginArgument(*verb, arguments->plugin);
+  verb->add_option("--girdle", arguments->girdle,
+                   "Motion on which the skin of a model that has one is measured: measured (default), "
+                   "or frozen (clavicle and scapula stay where the skin was bound, the arm turns in "
+                   "GH alone), which has to fail")
+      ->type_name("WORD");
+  auto mapped = std::make_optional<OptionGroup>(*verb, "A model that is not Girdle's");
   verb->add_option("--mapping", arguments->mapping,
-                   "Which bodies or sites are the bones of a model that is not Girdle's, and which "
-                   "joints set its arm: a CSV such as those in data/mappings")
+                   "CSV that names the bodies or sites that are the model's bones, and the joints "
+                   "that set its arm, such as those in data/mappings")
       ->type_name("FILE");
   verb->add_option("--elevation", arguments->elevation,
-                   std::string("With --mapping: elevations to survey [deg], by default ") +
+                   std::string("Elevations to survey [deg], by default ") +
                        kDefaultElevation)
       ->type_name("FROM:TO:STEP");
   verb->add_option(
           "--plane", arguments->plane,
-          std::string("With --mapping: planes to survey [deg], by default ") + kDefaultPlane)
+          std::string("Planes to survey [deg], by default ") + kDefaultPlane)
       ->type_name("FROM:TO:STEP");
-  verb->add_option("--girdle", arguments->girdle,
-                   "On which the skin of a model that has one is measured: measured, or frozen "
-                   "(where the skin was bound; the arm turns in GH alone), which has to fail")
-      ->type_name("WORD");
+  mapped.reset();
   AddRhythmArguments(*verb, arguments->rhythm);
   AddAnatomyArguments(*verb, arguments->anatomy);
-  AddPluginArgument(*verb, arguments->plugin);
-  verb->add_flag("--json", arguments->json, "The report as JSON");
   verb->footer(
-      "The model is held against the rhythm that it says it uses. With --table, --interpolation or "
-      "--closure it is held\nagainst that instead, and fails if it was made with another.\n"
-      "With --mapping a model that is not Girdle's is held against the measured rhythm: how far "
-      "its "
-      "clavicle and scapula\nare from the measured ones with the arm where it is.\n"
-      "Its bones are held against the built-in anatomy, or the one that --anatomy, --thorax, "
-      "--stature and so on say:\ngive those that it was generated with.\n"
+      "\nThe report compares the simulated bones of the model with the rhythm and the anatomy that "
+      "the model names. --table, --interpolation, --closure, --range, --anatomy and so on name "
+      "others: the report then says whether the model was made with those.\n"
+      "With --mapping the report compares a model that is not Girdle's with the measured rhythm: "
+      "how far its clavicle and scapula are from the measured ones while its arm is moved.\n"
       "Exit status 1 if a residual is outside its tolerance.\n"
-      "Examples:\n  girdle verify scene.xml\n"
+      "\nExamples:\n  girdle verify scene.xml\n  girdle verify scene.xml --full\n"
       "  girdle verify scene.xml --girdle frozen\n"
       "  girdle verify arm.xml --mapping data/mappings/myo_sim.csv");
   verb->callback([arguments, &status] { status = Verify(*arguments) ? kFine : kAboveTolerance; });

@@ -10,6 +10,7 @@
 
 #include "kinematics/words.h"
 #include "text/input_error.h"
+#include "text/near_names.h"
 
 namespace girdle {
 
@@ -24,7 +25,8 @@ template <HasWords Enumeration>
     for (const std::string_view name : WordsOf(Enumeration{})) {
       choices += (choices.empty() ? "" : ", ") + std::string(name);
     }
-    throw InputError(option + " " + word + ": not known. Choose one of: " + choices);
+    throw InputError(option + " " + word + ": not known. " +
+                     DidYouMean(word, WordsOf(Enumeration{})) + "Choose one of: " + choices);
   }
   return chosen;
 }

@@ -8,9 +8,11 @@
 #include <fstream>
 #include <optional>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 #include <variant>
 
+#include "anatomy/anatomy_line.h"
 #include "anatomy/built_in_anatomy.h"
 #include "kinematics/worst_case.h"
 #include "motions/motion.h"
@@ -37,6 +39,7 @@
 #include "simulation/shoulder_simulation.h"
 #include "simulation/trace.h"
 #include "text/input_error.h"
+#include "text/near_names.h"
 #include "text/number_text.h"
 #include "text/text_file.h"
 
@@ -128,16 +131,18 @@ ShoulderSimulation SimulationFor(const std::string& model_path, std::optional<Si
   return {std::move(loaded), std::move(own)};
 }
 
+DampingScheme SchemeOf(const mjOption& option) {
+  if (option.integrator == mjINT_RK4) {
+    return DampingScheme::kRungeKutta;
+  }
+  const bool is_explicit = (option.disableflags & mjDSBL_EULERDAMP) != 0;
+  return option.integrator == mjINT_EULER && is_explicit ? DampingScheme::kExplicitEuler
+                                                         : DampingScheme::kImplicit;
+}
+
 // What the plugin would say of the time step, were it in the model.
 std::string StepFault(const mjOption& option, Assembly assembly) {
-  const bool is_explicit = (option.disableflags & mjDSBL_EULERDAMP) != 0;
-  DampingScheme scheme = DampingScheme::kImplicit;
-  if (option.integrator == mjINT_RK4) {
-    scheme = DampingScheme::kRungeKutta;
-  } else if (option.integrator == mjINT_EULER && is_explicit) {
-    scheme = DampingScheme::kExplicitEuler;
-  }
-  return TimestepFault(option.timestep, assembly, scheme);
+  return TimestepFault(option.timestep, assembly, SchemeOf(option));
 }
 
 // What the plugin would say of its loop.
@@ -190,7 +195,7 @@ void ExpectControls(const ShoulderSimulation& simulation) {
   if (simulation.has_plugin() && simulation.elements().rate_controls.front() >= 0) {
     throw InputError(simulation.name() +
                      ": feeds forward how fast its commands change (generate --rates), which "
-                     "controls of position servos cannot. Write --controls from a model made "
+                     "controls of position servos cannot. Write --out-controls from a model made "
                      "without --rates");
   }
 }
@@ -277,26 +282,41 @@ SimulationSummary Simulate(const std::string& model_path, const std::string& plu
   return summary;
 }
 
-std::string KeyframeNames(const mjModel& model) {
-  std::string names;
+std::vector<std::string_view> KeyframesOf(const mjModel& model) {
+  std::vector<std::string_view> names;
   for (int key = 0; key < model.nkey; ++key) {
     const char* const name = mj_id2name(&model, mjOBJ_KEY, key);
     if (name != nullptr && *name != '\0') {
-      names += (names.empty() ? "" : ", ") + std::string(name);
+      names.emplace_back(name);
     }
   }
   return names;
 }
 
+std::string KeyframeNames(const mjModel& model) {
+  std::string names;
+  for (const std::string_view name : KeyframesOf(model)) {
+    names += (names.empty() ? "" : ", ") + std::string(name);
+  }
+  return names;
+}
+
+// What the user meant by a keyframe that the model does not have; ends in a blank unless empty.
+std::string MeantKeyframe(const mjModel& model, const std::string& name) {
+  const std::vector<std::string_view> names = KeyframesOf(model);
+  const bool is_old_name = name == "rest" && std::ranges::count(names, kHangingName) > 0;
+  return is_old_name ? "The keyframe rest is now called hanging. " : DidYouMean(name, names);
+}
+
 // Number of the keyframe asked for; -1 for where the model starts.
 int KeyframeOf(const mjModel& model, const std::string& model_name, const std::string& name) {
-  const std::string wanted = name.empty() ? std::string(kRestName) : name;
+  const std::string wanted = name.empty() ? std::string(kHangingName) : name;
   const int key = mj_name2id(&model, mjOBJ_KEY, wanted.c_str());
   if (key < 0 && !name.empty()) {
     const std::string names = KeyframeNames(model);
     throw InputError(model_name + ": has no keyframe \"" + name + "\". " +
                      (names.empty() ? "It has none that has a name: leave --keyframe away"
-                                    : "Choose one of: " + names));
+                                    : MeantKeyframe(model, name) + "Choose one of: " + names));
   }
   return key;
 }
@@ -379,13 +399,46 @@ std::string KindOf(const ShoulderSimulation& simulation) {
          (axial_from == AxialFrom::kRhythm ? "" : ", axial from " + std::string(Name(axial_from)));
 }
 
+// The anatomy that a model carries; nothing if it carries none.
+std::optional<Anatomy> OwnAnatomy(const LoadedShoulders& loaded) {
+  const mjModel& model = loaded.model();
+  const int text = mj_name2id(&model, mjOBJ_TEXT, std::string(kAnatomyName).c_str());
+  if (text < 0) {
+    return std::nullopt;
+  }
+  return AnatomyFromLine(model.text_data + model.text_adr[text],
+                         loaded.name() + ": <text name=\"" + std::string(kAnatomyName) + "\">");
+}
+
+// What a reader of the report has to know of the anatomy that the bones are compared with.
+std::string AnatomyRemark(const std::optional<Anatomy>& said, const std::optional<Anatomy>& own) {
+  if (said && own && AnatomyAsLine(*said) != AnatomyAsLine(*own)) {
+    return "The model was generated with another anatomy than --anatomy, --ellipsoids or the "
+           "measures give; without them it is compared with its own.";
+  }
+  if (!said && !own) {
+    return "The model does not carry its anatomy: its bones are compared with the built-in adult. "
+           "For another one give the --anatomy and so on that it was generated with.";
+  }
+  return "";
+}
+
+Residual TimestepResidual(const mjOption& option, Assembly assembly) {
+  constexpr double kMilliseconds = 1000;
+  return {"time step", "of the model", kMilliseconds * option.timestep, "ms",
+          kMilliseconds * LongestTimestep_s(assembly, SchemeOf(option)), ""};
+}
+
 VerifyResult Verify(const std::string& model_path, const std::string& plugin,
-                    const RhythmChoice& said, const Anatomy& anatomy, GirdleMotion girdle,
-                    bool json, const ProgressSink& progress) {
+                    const RhythmChoice& said, const std::optional<Anatomy>& said_anatomy,
+                    GirdleMotion girdle, const ReportChoice& form, const ProgressSink& progress) {
   const EngineWatch watch;
   LoadPlugin(plugin);
   LoadedShoulders loaded(LoadModel(model_path), model_path);
   const ResolvedRhythm resolved = Resolve(Over(said, OwnChoice(loaded)));
+  const std::optional<Anatomy> own_anatomy = OwnAnatomy(loaded);
+  const Anatomy anatomy =
+      said_anatomy ? *said_anatomy : own_anatomy ? *own_anatomy : BuiltInAnatomy();
   AssembledRhythm meant = AssembledOf(loaded, RhythmOf(loaded, resolved));
   ShoulderSimulation simulation(std::move(loaded), std::move(meant));
   ResidualReport report =
@@ -393,11 +446,16 @@ VerifyResult Verify(const std::string& model_path, const std::string& plugin,
   report.rhythm = resolved.text();
   report.kind =
       KindOf(simulation) + (girdle == GirdleMotion::kFrozen ? ", skin of a frozen girdle" : "");
-  return {json ? ReportAsJson(report) : ReportAsText(report), report.passed()};
+  report.remark = AnatomyRemark(said_anatomy, own_anatomy);
+  report.residuals.insert(
+      report.residuals.begin(),
+      TimestepResidual(simulation.model().opt, simulation.elements().assembly));
+  return {ReportIn(form, report), report.passed()};
 }
 
 VerifyResult VerifyMapped(const MappedModel& mapped, const std::string& plugin,
-                          const RhythmChoice& said, bool json, const ProgressSink& progress) {
+                          const RhythmChoice& said, const ReportChoice& form,
+                          const ProgressSink& progress) {
   std::ifstream in = OpenTextFile(mapped.mapping);
   const ModelMapping mapping = ReadModelMapping(in, mapped.mapping);
   const ResolvedRhythm resolved = Resolve(said);
@@ -413,7 +471,7 @@ VerifyResult VerifyMapped(const MappedModel& mapped, const std::string& plugin,
   survey.report.kind = std::string(Name(mapping.side)) + ", mapped by " + mapped.mapping +
                        ", moved by its " + (mapping.drives_are_actuators ? "actuators" : "joints");
   survey.report.rhythm = resolved.text();
-  return {json ? SurveyAsJson(survey) : SurveyAsText(survey), survey.report.passed()};
+  return {SurveyIn(form, survey), survey.report.passed()};
 }
 
 }  // namespace

@@ -19,6 +19,7 @@
 #include "names/model_names.h"
 #include "pictures/picture_request.h"
 #include "pictures/view.h"
+#include "residuals/residual_report.h"
 #include "rhythm_tables/rhythm_choice.h"
 #include "simulation/girdle_motion.h"
 #include "text/sinks.h"
@@ -78,7 +79,7 @@ struct SimulationSinks {
 
 /// A pose that the model has a name for.
 struct AtKeyframe {
-  /// Empty for `rest` or, if the model has none, for where it starts.
+  /// Empty for `hanging` or, if the model has none, for where it starts.
   std::string name;
 };
 
@@ -132,13 +133,16 @@ struct SimulationModule {
   std::string (*describe_renderer)();
   /// Returns where the ffmpeg is that makes videos; empty if there is none.
   std::string (*find_ffmpeg)();
-  /// Holds the model's bones against `anatomy`, and its skin as it is on a girdle that moves so.
+  /// Compares the model's bones with `anatomy` or, if that is empty, with the anatomy that the model
+  /// carries; a model that carries none is compared with the built-in one. Its skin is measured on
+  /// a girdle that moves as `girdle` says.
   VerifyResult (*verify)(const std::string& model, const std::string& plugin,
-                         const RhythmChoice& rhythm, const Anatomy& anatomy, GirdleMotion girdle,
-                         bool json, const ProgressSink& progress);
+                         const RhythmChoice& rhythm, const std::optional<Anatomy>& anatomy,
+                         GirdleMotion girdle, const ReportChoice& form,
+                         const ProgressSink& progress);
   /// Holds the girdle of any model against the measured rhythm, by default that of `girdle solve`.
   VerifyResult (*verify_mapped)(const MappedModel& mapped, const std::string& plugin,
-                                const RhythmChoice& rhythm, bool json,
+                                const RhythmChoice& rhythm, const ReportChoice& form,
                                 const ProgressSink& progress);
 };
 

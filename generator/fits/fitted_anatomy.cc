@@ -28,15 +28,15 @@ double LongestLength_m(const Ligament& ligament, const Anatomy& anatomy, const R
 
 void FitGliding(Anatomy& anatomy) {
   anatomy.gliding =
-      FitGlidingEllipsoid(anatomy, BuiltInRhythmTable(BuiltInTable::kDestepped)).ellipsoid;
+      FitGlidingEllipsoid(anatomy, BuiltInRhythmTable(BuiltInTable::kSmoothed)).ellipsoid;
 }
 
 void FitLigaments(Anatomy& anatomy) {
   const RhythmTable measured = BuiltInRhythmTable(BuiltInTable::kMeasured);
-  const RhythmTable destepped = BuiltInRhythmTable(BuiltInTable::kDestepped);
+  const RhythmTable smoothed = BuiltInRhythmTable(BuiltInTable::kSmoothed);
   for (Ligament& ligament : anatomy.ligaments) {
     ligament.slack_m = RoundedUpLength_m(std::max(LongestLength_m(ligament, anatomy, measured),
-                                                  LongestLength_m(ligament, anatomy, destepped)));
+                                                  LongestLength_m(ligament, anatomy, smoothed)));
   }
 }
 

@@ -66,12 +66,12 @@ void WriteKeyframes(const ModelPlan& plan, XmlElement root) {
         {RadiansFromDegrees(named.elevation_deg), RadiansFromDegrees(named.plane_deg)});
     // Only rest is the nearest pose there is; the others are what their names say or are not
     // there.
-    if (named.name != kRestName && solution.clamped) {
+    if (named.name != kHangingName && solution.clamped) {
       continue;
     }
     // Controls of zero lead to rest; the others have the rhythm's own turn.
     ArmCommand command = solution.used;
-    command.axial_rad = named.name == kRestName
+    command.axial_rad = named.name == kHangingName
                             ? 0
                             : plan.rhythm().AxialCountedFrom(plan.options.axial_from, command);
     command.axial_from = plan.options.axial_from;

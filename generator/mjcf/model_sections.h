@@ -23,6 +23,9 @@ void WriteAssets(const ModelPlan& plan, XmlElement root);
 // body_section.cc
 void WriteBodies(const ModelPlan& plan, XmlElement root);
 
+// anatomy_section.cc
+void WriteAnatomy(const ModelPlan& plan, XmlElement root);  ///< for girdle verify
+
 // skin_section.cc
 void WriteSkin(const ModelPlan& plan, XmlElement root);
 

@@ -18,8 +18,8 @@ constexpr double kTimestep_s = 0.002;
 using WriteSection = void (*)(const ModelPlan& plan, XmlElement root);
 
 // In the order of the file.
-constexpr std::array<WriteSection, 11> kSections = {
-    WriteExtension,  WriteDefaults,  WriteAssets,    WriteBodies,  WriteSkin,     WriteContacts,
+constexpr std::array<WriteSection, 12> kSections = {
+    WriteExtension,  WriteDefaults,  WriteAssets,    WriteBodies,  WriteAnatomy, WriteSkin,     WriteContacts,
     WriteEqualities, WriteLigaments, WriteActuators, WriteSensors, WriteKeyframes};
 
 void WriteComments(const ModelPlan& plan, XmlElement root) {

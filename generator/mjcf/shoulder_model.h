@@ -55,7 +55,7 @@ struct ShoulderModelOptions {
   /// What the command for the axial turn is counted from; for kPlugin.
   AxialFrom axial_from = AxialFrom::kRhythm;
   /// Which built-in table the rhythm's is; nothing writes it into the plugin's configuration.
-  std::optional<BuiltInTable> table = BuiltInTable::kDestepped;
+  std::optional<BuiltInTable> table = BuiltInTable::kSmoothed;
   /// With commands for shrug and protraction; for kPlugin.
   bool has_offsets = false;
   /// With commands for how fast elevation, plane and axial change, which the plugin feeds forward;

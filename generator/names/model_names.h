@@ -69,6 +69,8 @@ inline constexpr CoordinateRange kProtractionRange = {-25 * kRadiansPerDegree,
 
 /// Stem of the plugin's instance and of its sensor.
 inline constexpr std::string_view kRhythmName = "rhythm";
+/// The `<text>` element that holds the anatomy of a model, as AnatomyAsLine writes it.
+inline constexpr std::string_view kAnatomyName = "girdle_anatomy";
 /// Class of defaults of all elements of a model.
 inline constexpr std::string_view kDefaultsName = "girdle";
 
@@ -125,17 +127,17 @@ inline constexpr std::string_view kSkinAcromionName = "skin_acromion";
 inline constexpr std::array<std::string_view, kSkinLandmarkCount> kSkinLandmarkNames = {
     kSkinAcName, kSkinAcromionName, "skin_mid_clavicle", "skin_scapular_spine", "skin_deltoid"};
 
-/// Keyframes of emitted models. `rest` is the lowest position of the frontal plane, where a model
-/// with all controls at zero stands; `relaxed` is relaxed standing, held by trims.
+/// Keyframes of emitted models. `hanging` is the lowest position of the frontal plane, where a
+/// model stands with all controls at zero; `relaxed` is relaxed standing, held by trims.
 struct NamedPose {
   std::string_view name;
   double elevation_deg;
   double plane_deg;
 };
-inline constexpr std::string_view kRestName = "rest";
+inline constexpr std::string_view kHangingName = "hanging";
 inline constexpr std::string_view kRelaxedName = "relaxed";
 inline constexpr std::array<NamedPose, 9> kKeyframes = {{
-    {kRestName, 0, 0},
+    {kHangingName, 0, 0},
     {kRelaxedName, 0, 0},
     {"abduction_30", 30, 0},
     {"abduction_60", 60, 0},

@@ -52,6 +52,7 @@ struct ResidualReport {
   std::string kind;    ///< sides, assembly, what moves the joints
   std::string rhythm;  ///< what the model was held against: interpolation, closure, table
   std::string engine;  ///< MuJoCo's version
+  std::string remark;  ///< a sentence about the whole report; empty if there is nothing to say
   std::vector<Residual> residuals;
 
   [[nodiscard]] bool passed() const noexcept;

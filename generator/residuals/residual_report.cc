@@ -4,9 +4,12 @@
 #include "residuals/residual_report.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <vector>
 
+#include "residuals/report_summary.h"
 #include "text/json_text.h"
 #include "text/number_text.h"
 #include "text/text_columns.h"
@@ -22,40 +25,110 @@ std::string ToleranceText(const Residual& residual) {
                             : "-";
 }
 
-}  // namespace
+std::string ResultText(const Residual& residual) {
+  return residual.follows      ? "follows"
+         : !residual.tolerance ? "stated"
+         : residual.passed()   ? "pass"
+                               : "FAIL";
+}
 
-std::string ReportAsText(const ResidualReport& report) {
+constexpr Alignment kWords = Alignment::kLeft;
+constexpr Alignment kNumbers = Alignment::kRight;
+
+std::string WideTable(const ResidualReport& report) {
   std::vector<std::vector<std::string>> rows = {
       {"residual", "of", "value", "tolerance", "unit", "result", "where"}};
   for (const Residual& residual : report.residuals) {
     rows.push_back({residual.group, residual.item, SignificantText(residual.value, kReportedDigits),
-                    ToleranceText(residual), residual.unit,
-                    residual.follows      ? "follows"
-                    : !residual.tolerance ? "stated"
-                    : residual.passed()   ? "pass"
-                                          : "FAIL",
-                    residual.where});
+                    ToleranceText(residual), residual.unit, ResultText(residual), residual.where});
   }
-  std::string text = "model   " + report.model + "\nkind    " + report.kind + "\nrhythm  " +
-                     report.rhythm + "\nengine  MuJoCo " + report.engine + "\n\n";
-  // Numbers stand to the right, words to the left.
-  constexpr Alignment kWords = Alignment::kLeft;
-  constexpr Alignment kNumbers = Alignment::kRight;
-  text += ColumnsText(rows, {kWords, kWords, kNumbers, kNumbers, kWords});
-  const auto failed = std::count_if(report.residuals.begin(), report.residuals.end(),
-                                    [](const Residual& residual) { return !residual.passed(); });
-  const bool are_bones_others = std::any_of(
-      report.residuals.begin(), report.residuals.end(),
-      [](const Residual& residual) { return residual.group == kBonesGroup && !residual.passed(); });
-  return text + "\n" +
-         (are_bones_others ? "the bones are not those of the anatomy that was said: verify a model "
-                             "with the --anatomy, --thorax, --stature\nand so on that it was "
-                             "generated with\n"
-                           : "") +
-         (failed == 0   ? "all residuals within their tolerances"
-          : failed == 1 ? "1 residual outside its tolerance"
-                        : std::to_string(failed) + " residuals outside their tolerances") +
+  return ColumnsText(rows, {kWords, kWords, kNumbers, kNumbers, kWords});
+}
+
+std::size_t WidestLine(const std::string& text) {
+  std::istringstream lines(text);
+  std::size_t widest = 0;
+  for (std::string line; std::getline(lines, line);) {
+    widest = std::max(widest, line.size());
+  }
+  return widest;
+}
+
+// The table without the columns of the kind, which becomes a heading, and of the pose.
+std::string NarrowTable(const ResidualReport& report, const TextStyle& style) {
+  constexpr std::size_t kIndent = 2;
+  std::vector<std::vector<std::string>> rows;
+  for (const Residual& residual : report.residuals) {
+    rows.push_back({SignificantText(residual.value, kReportedDigits), ToleranceText(residual),
+                    residual.unit, ResultText(residual)});
+  }
+  std::istringstream numbers(ColumnsText(rows, {kNumbers, kNumbers, kWords}));
+  const std::size_t numbers_width = WidestLine(numbers.str());
+  const std::size_t item_width = style.width - std::min(style.width, numbers_width + kIndent);
+  std::string text;
+  std::string group;
+  for (const Residual& residual : report.residuals) {
+    if (residual.group != group) {
+      group = residual.group;
+      text += group + "\n";
+    }
+    std::string line;
+    std::getline(numbers, line);
+    const std::string item = std::string(kIndent, ' ') + residual.item;
+    text += item.size() < item_width ? AlignedLeft(item, item_width)
+                                     : item + "\n" + std::string(item_width, ' ');
+    text += "  " + line + "\n";
+    if (!residual.where.empty()) {
+      text += std::string(3 * kIndent, ' ') + residual.where + "\n";
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string SubjectText(const ResidualReport& report, std::size_t width) {
+  constexpr std::size_t kLabelWidth = 8;
+  const auto line = [width](const char* label, const std::string& text) {
+    return LabelledText(label, text, 0, kLabelWidth, width);
+  };
+  return line("model", report.model) + line("kind", report.kind) + line("rhythm", report.rhythm) +
+         line("engine", "MuJoCo " + report.engine);
+}
+
+std::string VerdictText(const ResidualReport& report) {
+  const auto checked = std::ranges::count_if(
+      report.residuals, [](const Residual& residual) { return residual.tolerance.has_value(); });
+  const auto failed = std::ranges::count_if(
+      report.residuals, [](const Residual& residual) { return !residual.passed(); });
+  if (failed == 0) {
+    return "PASS: " + CountText(static_cast<std::uintmax_t>(checked), "residual") +
+           " checked, all within their tolerances";
+  }
+  return "FAIL: " + std::to_string(failed) + " of " +
+         CountText(static_cast<std::uintmax_t>(checked), "residual") + " outside " +
+         (failed == 1 ? "its tolerance" : "their tolerances");
+}
+
+std::string ReportAsText(const ResidualReport& report, const TextStyle& style) {
+  const std::string wide = WideTable(report);
+  return SubjectText(report, style.width) + "\n" +
+         (WidestLine(wide) <= style.width ? wide : NarrowTable(report, style)) + "\n" +
+         report.remark + (report.remark.empty() ? "" : "\n") +
+         Coloured(VerdictText(report), report.passed() ? Colour::kGreen : Colour::kRed, style) +
          "\n";
+}
+
+std::string ReportIn(const ReportChoice& choice, const ResidualReport& report) {
+  switch (choice.form) {
+    case ReportForm::kSummary:
+      return SummaryAsText(report, choice.style);
+    case ReportForm::kFull:
+      return ReportAsText(report, choice.style);
+    case ReportForm::kJson:
+      break;
+  }
+  return ReportAsJson(report);
 }
 
 std::string ReportAsJson(const ResidualReport& report) {
@@ -65,6 +138,7 @@ std::string ReportAsJson(const ResidualReport& report) {
   json["rhythm"] = report.rhythm;
   json["mujoco"] = report.engine;
   json["passed"] = report.passed();
+  json["remark"] = report.remark;
   json["residuals"] = nlohmann::ordered_json::array();
   for (const Residual& residual : report.residuals) {
     nlohmann::ordered_json line;

@@ -1,24 +1,52 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// The residual report as text.
+/// The residual report as text and as JSON.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "residuals/residual.h"
+#include "text/text_style.h"
 
 namespace girdle {
 
-/// Returns the report as a table for people, one line a residual, the verdict last. The result of a
-/// line is `pass` or `FAIL`; `stated` where it has no tolerance; `follows` where it cannot be off
-/// unless another line is.
-[[nodiscard]] std::string ReportAsText(const ResidualReport& report);
+/// How a report is written.
+enum class ReportForm {
+  kSummary,  ///< one line a kind of residual, and every failure in full
+  kFull,     ///< every residual
+  kJson,     ///< every residual, for programs
+};
 
-/// Returns the report as JSON: `model`, `kind`, `rhythm`, `mujoco`, `passed` and the array
+/// Form of a report, and what the terminal allows where it is text.
+struct ReportChoice {
+  ReportForm form = ReportForm::kSummary;
+  TextStyle style;
+};
+
+/// Returns the verdict in one sentence that begins with PASS or FAIL: how many residuals are
+/// outside their tolerances, of how many that have one.
+[[nodiscard]] std::string VerdictText(const ResidualReport& report);
+
+/// Returns what the report is about: model, kind, rhythm, engine. Each begins a line, and lines are
+/// wrapped at `width`.
+[[nodiscard]] std::string SubjectText(const ResidualReport& report, std::size_t width);
+
+/// Returns all residuals as a table for people, the verdict last. The result of a residual is
+/// `pass` or `FAIL`; `stated` if it has no tolerance; `follows` if it cannot be off unless another
+/// residual is. Where the table is wider than the style allows, each kind stands under a heading
+/// and the pose of the worst case stands on a line of its own.
+[[nodiscard]] std::string ReportAsText(const ResidualReport& report, const TextStyle& style);
+
+/// Returns the report as JSON: `model`, `kind`, `rhythm`, `mujoco`, `passed`,
+/// `remark` and the array
 /// `residuals` of `group`, `item`, `value`, `unit`, `tolerance` (null where the value is only
 /// stated), `bound` (a word of kBoundNames: what the value has to be to it), `follows` (whether it
 /// cannot be off unless another line is), `passed`, `where`. A value that is not finite is null.
 [[nodiscard]] std::string ReportAsJson(const ResidualReport& report);
+
+/// Returns the report in a form; the summary is that of report_summary.h.
+[[nodiscard]] std::string ReportIn(const ReportChoice& choice, const ResidualReport& report);
 
 }  // namespace girdle

@@ -44,7 +44,7 @@ ResidualReport MeasureResiduals(ShoulderSimulation& simulation, const AssembledR
                      ": has no skin, on which alone a frozen girdle is measured. Make a model that "
                      "has one with girdle generate --skin");
   }
-  ResidualReport report{simulation.name(), "", "", mj_versionString(), {}};
+  ResidualReport report{simulation.name(), "", "", mj_versionString(), "", {}};
   const std::size_t sides = simulation.shoulders().size();
   for (std::size_t i = 0; i < sides; ++i) {
     const Side side = simulation.shoulders()[i].side;

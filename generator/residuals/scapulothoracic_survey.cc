@@ -13,10 +13,12 @@
 #include "anatomy/ellipsoid.h"
 #include "kinematics/lengths.h"
 #include "kinematics/worst_case.h"
+#include "residuals/report_summary.h"
 #include "residuals/residual_report.h"
 #include "text/input_error.h"
 #include "text/json_text.h"
 #include "text/number_text.h"
+#include "text/text_columns.h"
 
 namespace girdle {
 namespace {
@@ -422,36 +424,44 @@ nlohmann::ordered_json FiguresAsJson(const GirdleFigures& figures_deg) {
   return json;
 }
 
-}  // namespace
-
-ScapulothoracicSurvey SurveyGirdle(MappedArm& arm, const MappedShoulder& shoulder,
-                                   const ShoulderRhythm& rhythm, const Ellipsoid& ellipsoid,
-                                   const SurveyGrid& grid, const ProgressSink& progress) {
-  ScapulothoracicSurvey survey;
-  Surveyor surveyor(arm, shoulder, rhythm, ellipsoid);
-  survey.positions = VisitAll(surveyor, grid, progress);
-  const Residual missed = PositionsNotReached(survey.positions);
-  const double lowest_deg = LowestElevation_deg(grid);
-  PutChanges(lowest_deg, survey.positions);
-  const SurveySpreads spreads = SpreadsOf(survey.positions);
-
-  survey.report.engine = mj_versionString();
-  std::vector<Residual>& lines = survey.report.residuals;
-  surveyor.AppendChecks(lines);
-  lines.push_back(missed);
-  AppendTo(lines, spreads.elevation_deg, "arm", "elevation reached - asked", "deg");
-  AppendTo(lines, spreads.plane_deg, "arm", "plane reached - asked", "deg");
-  spreads.in_table.AppendTo(lines, "scapulothoracic");
-  spreads.changes.AppendTo(lines, "since elevation " + RoundedText(lowest_deg, 1));
-  spreads.beyond.AppendTo(lines, "beyond the table");
-  survey.sentence = SentenceOf(survey.positions, lowest_deg,
-                               spreads.in_table.figures[Index(GirdleFigure::kScapula)],
-                               spreads.in_table.figures[Index(GirdleFigure::kUpwardRotation)]);
-  return survey;
+// The value of a line of the report; "-" if there is no such line.
+std::string ValueText(const std::vector<Residual>& lines, const std::string& group,
+                      const std::string& item) {
+  constexpr int kDecimals = 2;
+  const auto line = std::ranges::find_if(lines, [&](const Residual& residual) {
+    return residual.group == group && residual.item == item;
+  });
+  return line == lines.end() ? "-" : RoundedText(line->value, kDecimals);
 }
 
-std::string SurveyAsText(const ScapulothoracicSurvey& survey) {
-  return ReportAsText(survey.report) + "\n" + survey.sentence + "\n";
+// A row for each quantity that is compared, and rms and largest difference in each part of the
+// grid.
+std::string DifferencesTable(const std::vector<Residual>& lines) {
+  std::vector<std::string> groups;
+  std::vector<std::string> quantities;
+  const std::string rms = ", rms";
+  for (const Residual& residual : lines) {
+    if (!residual.tolerance && residual.item.ends_with(rms)) {
+      const std::string quantity = residual.item.substr(0, residual.item.size() - rms.size());
+      if (std::ranges::count(groups, residual.group) == 0 && residual.group != "arm") {
+        groups.push_back(residual.group);
+      }
+      if (std::ranges::count(quantities, quantity) == 0 && residual.group != "arm") {
+        quantities.push_back(quantity);
+      }
+    }
+  }
+  std::vector<std::vector<std::string>> rows = {{"rms, largest [deg, mm]"}};
+  rows.front().insert(rows.front().end(), groups.begin(), groups.end());
+  for (const std::string& quantity : quantities) {
+    std::vector<std::string>& row = rows.emplace_back();
+    row.push_back(quantity);
+    for (const std::string& group : groups) {
+      row.push_back(ValueText(lines, group, quantity + rms) + ", " +
+                    ValueText(lines, group, quantity + ", largest"));
+    }
+  }
+  return ColumnsText(rows, {Alignment::kLeft, Alignment::kRight});
 }
 
 std::string SurveyAsJson(const ScapulothoracicSurvey& survey) {
@@ -483,6 +493,49 @@ std::string SurveyAsJson(const ScapulothoracicSurvey& survey) {
     json["positions"].push_back(row);
   }
   return JsonText(json);
+}
+
+}  // namespace
+
+ScapulothoracicSurvey SurveyGirdle(MappedArm& arm, const MappedShoulder& shoulder,
+                                   const ShoulderRhythm& rhythm, const Ellipsoid& ellipsoid,
+                                   const SurveyGrid& grid, const ProgressSink& progress) {
+  ScapulothoracicSurvey survey;
+  Surveyor surveyor(arm, shoulder, rhythm, ellipsoid);
+  survey.positions = VisitAll(surveyor, grid, progress);
+  const Residual missed = PositionsNotReached(survey.positions);
+  const double lowest_deg = LowestElevation_deg(grid);
+  PutChanges(lowest_deg, survey.positions);
+  const SurveySpreads spreads = SpreadsOf(survey.positions);
+
+  survey.report.engine = mj_versionString();
+  std::vector<Residual>& lines = survey.report.residuals;
+  surveyor.AppendChecks(lines);
+  lines.push_back(missed);
+  AppendTo(lines, spreads.elevation_deg, "arm", "elevation reached - asked", "deg");
+  AppendTo(lines, spreads.plane_deg, "arm", "plane reached - asked", "deg");
+  spreads.in_table.AppendTo(lines, "scapulothoracic");
+  spreads.changes.AppendTo(lines, "since elevation " + RoundedText(lowest_deg, 1));
+  spreads.beyond.AppendTo(lines, "beyond the table");
+  survey.sentence = SentenceOf(survey.positions, lowest_deg,
+                               spreads.in_table.figures[Index(GirdleFigure::kScapula)],
+                               spreads.in_table.figures[Index(GirdleFigure::kUpwardRotation)]);
+  return survey;
+}
+
+std::string SurveyIn(const ReportChoice& choice, const ScapulothoracicSurvey& survey) {
+  if (choice.form == ReportForm::kJson) {
+    return SurveyAsJson(survey);
+  }
+  const std::string sentence = WrappedText(survey.sentence, choice.style.width) + "\n";
+  if (choice.form == ReportForm::kFull) {
+    return ReportAsText(survey.report, choice.style) + "\n" + sentence;
+  }
+  ResidualReport checked = survey.report;
+  std::erase_if(checked.residuals, [](const Residual& residual) { return !residual.tolerance; });
+  const SummaryParts parts = SummaryPartsOf(checked, choice.style);
+  return parts.head + "\n" + parts.table + "\n" + DifferencesTable(survey.report.residuals) + "\n" +
+         parts.failures + (parts.failures.empty() ? "" : "\n") + sentence + parts.end;
 }
 
 }  // namespace girdle

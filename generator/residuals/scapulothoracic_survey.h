@@ -23,6 +23,7 @@
 #include "kinematics/shoulder_rhythm.h"
 #include "kinematics/words.h"
 #include "residuals/residual.h"
+#include "residuals/residual_report.h"
 #include "simulation/mapped_arm.h"
 #include "simulation/mapped_shoulder.h"
 #include "text/sinks.h"
@@ -92,8 +93,8 @@ struct ScapulothoracicSurvey {
                                                  const Ellipsoid& ellipsoid, const SurveyGrid& grid,
                                                  const ProgressSink& progress);
 
-/// Returns the report with its sentence as text, and all of it, every position too, as JSON.
-[[nodiscard]] std::string SurveyAsText(const ScapulothoracicSurvey& survey);
-[[nodiscard]] std::string SurveyAsJson(const ScapulothoracicSurvey& survey);
+/// Returns the survey in a form: the report and its sentence as text, and as JSON also every
+/// position. The summary has a table of how far the bones are from the measured ones.
+[[nodiscard]] std::string SurveyIn(const ReportChoice& choice, const ScapulothoracicSurvey& survey);
 
 }  // namespace girdle

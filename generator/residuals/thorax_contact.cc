@@ -40,7 +40,7 @@ constexpr double kContactSurface_mm = 0.01;
 constexpr double kContactStiffness_percent = 20;
 // A number that MuJoCo reads from text.
 constexpr double kArmature_percent = 1e-6;
-constexpr double kPercent = 100;
+constexpr double kContactPercent = 100;
 // Below this depth force over depth says little. At this depth what MuJoCo does not know of it is a
 // thousandth.
 constexpr double kDeepContact_m = 0.001;
@@ -65,7 +65,7 @@ class ThoraxContactGroup : public ResidualGroup {
     // A depth that is not a number counts as deep.
     if (!(depth_m <= kDeepContact_m)) {
       add(stiffness_off_percent_,
-          kPercent * (state.contact_force_N / depth_m / stiffness_N_per_m_ - 1));
+          kContactPercent * (state.contact_force_N / depth_m / stiffness_N_per_m_ - 1));
     }
     add(surface_off_mm_, depth_mm - DepthInEllipsoid_mm(state));
     // A model's armature is the same in all poses: the first one is enough.
@@ -115,7 +115,7 @@ class ThoraxContactGroup : public ResidualGroup {
       const double built_in = model.jnt_type[model.dof_jntid[dof]] == mjJNT_SLIDE
                                   ? kLeadingTranslation.armature_kg
                                   : kJointDynamics.at(joint).armature_kg_m2;
-      armature_off_percent_.Add(kPercent * (model.dof_armature[dof] / built_in - 1),
+      armature_off_percent_.Add(kContactPercent * (model.dof_armature[dof] / built_in - 1),
                                 kSegmentNames.at(joint + 1), command);
     }
   }

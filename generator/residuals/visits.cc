@@ -164,7 +164,7 @@ class Visitor {
       const bool is_ours = named != kKeyframes.end();
       const mjtNum* const controls = model.key_ctrl + key * model.nu;
       ArmCommand command;
-      if (is_ours && named->name != kRestName) {
+      if (is_ours && named->name != kHangingName) {
         command = {RadiansFromDegrees(named->elevation_deg), RadiansFromDegrees(named->plane_deg)};
       } else if (elements.has_plugin()) {
         command = {controls[elements.command_controls[0]], controls[elements.command_controls[1]],

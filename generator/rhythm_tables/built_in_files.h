@@ -9,6 +9,6 @@
 namespace girdle::built_in_files {
 
 extern const std::string_view kLudewig2009;
-extern const std::string_view kLudewig2009Destepped;
+extern const std::string_view kLudewig2009Smoothed;
 
 }  // namespace girdle::built_in_files

@@ -14,16 +14,16 @@
 namespace girdle {
 
 BuiltInTable DefaultTable(Interpolation interpolation) noexcept {
-  return interpolation == Interpolation::kSmooth ? BuiltInTable::kDestepped
+  return interpolation == Interpolation::kSmooth ? BuiltInTable::kSmoothed
                                                  : BuiltInTable::kMeasured;
 }
 
 RhythmTable BuiltInRhythmTable(BuiltInTable table) {
-  const bool is_destepped = table == BuiltInTable::kDestepped;
-  std::istringstream in{std::string(is_destepped ? built_in_files::kLudewig2009Destepped
+  const bool is_smoothed = table == BuiltInTable::kSmoothed;
+  std::istringstream in{std::string(is_smoothed ? built_in_files::kLudewig2009Smoothed
                                                  : built_in_files::kLudewig2009)};
   return ReadRhythmTable(in,
-                         is_destepped ? "data/ludewig2009_destepped.csv" : "data/ludewig2009.csv");
+                         is_smoothed ? "data/ludewig2009_smoothed.csv" : "data/ludewig2009.csv");
 }
 
 ShoulderRhythm BuiltInRhythm(const RhythmOptions& options) {

@@ -13,11 +13,11 @@ namespace girdle {
 
 enum class BuiltInTable {
   kMeasured,   ///< as published: data/ludewig2009.csv
-  kDestepped,  ///< without the steps of people dropping out: data/ludewig2009_destepped.csv
+  kSmoothed,  ///< without the steps of people dropping out: data/ludewig2009_smoothed.csv
 };
 
 /// Words for the tables, in the order of the enumerators.
-inline constexpr std::array<std::string_view, 2> kBuiltInTableNames = {"measured", "destepped"};
+inline constexpr std::array<std::string_view, 2> kBuiltInTableNames = {"measured", "smoothed"};
 
 constexpr const auto& WordsOf(BuiltInTable /*which*/) noexcept { return kBuiltInTableNames; }
 

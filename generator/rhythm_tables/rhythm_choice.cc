@@ -3,19 +3,41 @@
 
 #include "rhythm_tables/rhythm_choice.h"
 
+#include <filesystem>
 #include <fstream>
+#include <optional>
 #include <stdexcept>
+#include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "rhythm_tables/rhythm_table_csv.h"
 #include "text/input_error.h"
+#include "text/near_names.h"
 #include "text/text_file.h"
 
 namespace girdle {
+namespace {
+
+// Throws InputError if `text` is the word that named the table smoothed before version 0.2.
+void ExpectNotOldWord(const std::string& text, const std::string& place) {
+  if (text == "destepped") {
+    throw InputError(place + ": the table destepped is now called smoothed");
+  }
+}
+
+}  // namespace
 
 TableChoice TableFromWordOrFile(const std::string& text) {
   if (const auto built_in = FromName<BuiltInTable>(text)) {
     return *built_in;
+  }
+  ExpectNotOldWord(text, "--table " + text);
+  if (std::error_code unknown; !std::filesystem::exists(text, unknown)) {
+    if (const std::optional<std::string_view> meant = NearestWord(text, kBuiltInTableNames)) {
+      throw InputError("--table " + text + ": there is no such file. Did you mean the table " +
+                       std::string(*meant) + "?");
+    }
   }
   std::ifstream in = OpenTextFile(text);
   return ReadTable{ReadRhythmTable(in, text), text};
@@ -25,6 +47,7 @@ TableChoice TableFromWordOrLine(const std::string& text, const std::string& plac
   if (const auto built_in = FromName<BuiltInTable>(text)) {
     return *built_in;
   }
+  ExpectNotOldWord(text, place);
   return ReadTable{RhythmTableFromLine(text, place)};
 }
 

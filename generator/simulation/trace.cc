@@ -28,7 +28,7 @@ double ReplayableAngle(double angle_rad) noexcept {
 }
 
 using Stems = std::vector<std::string>;
-using TraceColumns = WrittenColumns<ShoulderState, AppendNumber>;
+using TraceColumns = WrittenColumns<ShoulderState, ExactNumbers>;
 
 constexpr std::array kMovingBones = {Segment::kClavicle, Segment::kScapula, Segment::kHumerus};
 constexpr std::array<const char*, 4> kQuaternionParts = {"_qw", "_qx", "_qy", "_qz"};

@@ -274,7 +274,7 @@ class BodyBuilder {
 }  // namespace
 
 PosedBody ImplicitBody(const Anatomy& anatomy, const std::vector<Side>& sides) {
-  const ShoulderRhythm rhythm(BuiltInRhythmTable(BuiltInTable::kDestepped));
+  const ShoulderRhythm rhythm(BuiltInRhythmTable(BuiltInTable::kSmoothed));
   PosedBody body{{}, anatomy, rhythm.Solve({RadiansFromDegrees(kBindElevation_deg), 0}).pose};
   BodyBuilder builder(body);
   builder.AddTrunk();

@@ -22,33 +22,42 @@ constexpr std::size_t kLongestNumber = 32;
 // The largest double in fixed notation has 309 digits before the point; decimals come on top.
 constexpr std::size_t kLongestFixedNumber = 400;
 
-// What AppendRounded counts in: the last of its decimals.
-constexpr std::uint64_t kUnitsPerOne = 1'000'000'000'000;  // 10^kRoundedDecimals
 constexpr double kFastBelow = 1000;
-constexpr std::uint64_t kFastBelow_units = 1000 * kUnitsPerOne;
 // Sign, three digits, point and decimals.
-constexpr std::size_t kLongestRounded = 1 + 3 + 1 + kRoundedDecimals;
+constexpr std::size_t kLongestRounded = 1 + 3 + 1 + kMostFastDecimals;
 
-// Returns |value| 10^12 rounded to a whole number, halves to the even one, for |value| < 1000.
+// base^0, base^1, ... base^kMostFastDecimals.
+constexpr auto PowersOf(std::uint64_t base) {
+  std::array<std::uint64_t, kMostFastDecimals + 1> powers{1};
+  for (std::size_t i = 1; i < powers.size(); ++i) {
+    powers.at(i) = base * powers.at(i - 1);
+  }
+  return powers;
+}
+constexpr auto kPowersOfFive = PowersOf(5);
+constexpr auto kPowersOfTen = PowersOf(10);
+
+// Returns |value| 10^d rounded to a whole number, halves to the even one, for |value| < 1000 and
+// d from 0 to 12.
 //
-//   |value| = m 2^e   =>   |value| 10^12 = m 5^12 2^(e + 12)
+//   |value| = m 2^e   =>   |value| 10^d = m 5^d 2^(e + d)
 //
-// in whole numbers throughout: m 5^12 has 81 bits at most, and e + 12 is negative.
-std::uint64_t RoundedUnits(double value) {
+// in whole numbers throughout: m 5^d has 81 bits at most, and e + d is negative.
+std::uint64_t RoundedUnits(double value, int d) {
   using Uint128 = unsigned __int128;
-  constexpr std::uint64_t kFiveToTwelve = 244'140'625;
   constexpr int kFractionBits = std::numeric_limits<double>::digits - 1;
   constexpr int kExponentBias = std::numeric_limits<double>::max_exponent - 1 + kFractionBits;
   constexpr int kProductBits = 81;
   constexpr std::uint64_t kHiddenBit = std::uint64_t{1} << kFractionBits;
 
   const auto bits = std::bit_cast<std::uint64_t>(std::abs(value));
-  const int shift = kExponentBias - kRoundedDecimals - static_cast<int>(bits >> kFractionBits);
+  const int shift = kExponentBias - d - static_cast<int>(bits >> kFractionBits);
   // Below half a unit. All numbers without a hidden bit are.
   if (shift > kProductBits) {
     return 0;
   }
-  const Uint128 product = Uint128{(bits & (kHiddenBit - 1)) | kHiddenBit} * kFiveToTwelve;
+  const Uint128 product = Uint128{(bits & (kHiddenBit - 1)) | kHiddenBit} *
+                          kPowersOfFive[static_cast<std::size_t>(d)];
   // Just under one half more, and one half where the digit would be odd: what is left falls down.
   const Uint128 under_half = (Uint128{1} << (shift - 1)) - 1;
   const Uint128 odd = (product >> shift) & 1;
@@ -128,24 +137,29 @@ std::string SignificantText(double value, int digits) {
   return {buffer.data(), end};
 }
 
-void AppendRounded(std::string& text, double value) {
-  const bool is_fast = std::abs(value) < kFastBelow;
-  const std::uint64_t units = is_fast ? RoundedUnits(value) : 0;
+void AppendRounded(std::string& text, double value, int decimals) {
+  const bool is_fast = std::abs(value) < kFastBelow && decimals <= kMostFastDecimals;
+  const std::uint64_t units = is_fast ? RoundedUnits(value, decimals) : 0;
+  const std::uint64_t units_per_one = is_fast ? kPowersOfTen[static_cast<std::size_t>(decimals)] : 1;
   // A number just below 1000 may be rounded up to it.
-  if (!is_fast || units >= kFastBelow_units) {
-    text += RoundedText(value, kRoundedDecimals);
+  if (!is_fast || units >= static_cast<std::uint64_t>(kFastBelow) * units_per_one) {
+    text += RoundedText(value, decimals);
     return;
   }
   std::array<char, kLongestRounded> buffer;  // NOLINT(*-member-init): written below
   char* out = buffer.data();
   *out = '-';
   out += std::signbit(value) && units > 0 ? 1 : 0;
-  out = WriteWhole(out, static_cast<std::uint32_t>(units / kUnitsPerOne));
-  if (const std::uint64_t decimals = units % kUnitsPerOne; decimals > 0) {
+  out = WriteWhole(out, static_cast<std::uint32_t>(units / units_per_one));
+  if (const std::uint64_t fraction = units % units_per_one; fraction > 0) {
     constexpr std::uint64_t kHalf = 1'000'000;
+    const std::uint64_t twelve_digits =
+        fraction * kPowersOfTen[static_cast<std::size_t>(kMostFastDecimals - decimals)];
     *out++ = '.';
-    out = WriteSixDigits(out, static_cast<std::uint32_t>(decimals / kHalf));
-    out = WriteSixDigits(out, static_cast<std::uint32_t>(decimals % kHalf));
+    out = WriteSixDigits(out, static_cast<std::uint32_t>(twelve_digits / kHalf));
+    if (twelve_digits % kHalf > 0) {
+      out = WriteSixDigits(out, static_cast<std::uint32_t>(twelve_digits % kHalf));
+    }
     while (out[-1] == '0') {
       --out;
     }

@@ -25,13 +25,13 @@ void AppendNumber(std::string& text, double value);
 /// Returns `value` rounded to `digits` significant ones, as short as that allows.
 [[nodiscard]] std::string SignificantText(double value, int digits);
 
-/// Decimals of AppendRounded: of an angle in degrees far below what any use of it resolves.
-inline constexpr int kRoundedDecimals = 12;
+/// Most decimals that AppendRounded writes fast.
+inline constexpr int kMostFastDecimals = 12;
 
-/// Appends `value` rounded to kRoundedDecimals places, halves to the even digit, in fixed notation
-/// without trailing zeros and without a sign before zero: the text of RoundedText, made some ten
-/// times as fast where |value| < 1000.
-void AppendRounded(std::string& text, double value);
+/// Appends `value` rounded to `decimals` places, halves to the even digit, in fixed notation
+/// without trailing zeros and without a sign before zero. The text is that of RoundedText; it takes
+/// about a tenth of the time where |value| < 1000 and `decimals` is at most kMostFastDecimals.
+void AppendRounded(std::string& text, double value, int decimals);
 
 /// Returns `value` rounded to `decimals` places, without trailing zeros; for tables that people
 /// read.

@@ -24,6 +24,8 @@
 #include <variant>
 #include <vector>
 
+#include "text/number_text.h"
+
 namespace girdle {
 
 inline constexpr std::string_view kNoUnit;
@@ -50,12 +52,25 @@ struct OutputColumns {
   Cell (*value)(const Row& row, std::size_t k);
 };
 
-/// The columns of one output, with numbers as `WriteNumber` appends them.
-template <typename Row, void (*WriteNumber)(std::string& text, double number)>
+/// Writes numbers as short as they read back exactly.
+struct ExactNumbers {
+  void operator()(std::string& text, double number) const { AppendNumber(text, number); }
+};
+
+/// Writes numbers rounded to a number of decimals.
+struct RoundedNumbers {
+  int decimals;  ///< not negative
+  void operator()(std::string& text, double number) const { AppendRounded(text, number, decimals); }
+};
+
+/// The columns of one output, with numbers as a NumberWriter appends them to a text.
+template <typename Row, typename NumberWriter>
 class WrittenColumns {
  public:
   template <typename Options, std::size_t N>
-  WrittenColumns(const std::array<OutputColumns<Row, Options>, N>& table, const Options& options) {
+  WrittenColumns(const std::array<OutputColumns<Row, Options>, N>& table, const Options& options,
+                 NumberWriter write_number = {})
+      : write_number_(write_number) {
     for (const OutputColumns<Row, Options>& columns : table) {
       const std::vector<std::string> stems = columns.stems(options);
       for (std::size_t k = 0; k < stems.size(); ++k) {
@@ -86,7 +101,7 @@ class WrittenColumns {
       is_first = false;
       const Cell cell = value.of(row, value.k);
       if (const auto* const number = std::get_if<double>(&cell)) {
-        WriteNumber(text, *number);
+        write_number_(text, *number);
       } else {
         text += *std::get_if<std::string_view>(&cell);
       }
@@ -99,6 +114,7 @@ class WrittenColumns {
     std::size_t k;
   };
 
+  NumberWriter write_number_;
   std::vector<std::string> names_;
   std::vector<Value> values_;
 };

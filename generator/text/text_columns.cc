@@ -4,6 +4,7 @@
 #include "text/text_columns.h"
 
 #include <algorithm>
+#include <sstream>
 
 namespace girdle {
 
@@ -37,6 +38,61 @@ std::string ColumnsText(const std::vector<std::vector<std::string>>& rows,
     text += line + "\n";
   }
   return text;
+}
+
+namespace {
+
+// One line, broken where it is too long. `column` is where it begins.
+std::string WrappedLine(const std::string& line, std::size_t width, std::size_t indent,
+                        std::size_t column) {
+  std::istringstream words(line);
+  std::string text;
+  bool is_first = true;
+  for (std::string word; words >> word; is_first = false) {
+    const bool fits = column + (is_first ? 0 : 1) + word.size() <= width;
+    if (!is_first && !fits) {
+      text += "\n" + std::string(indent, ' ');
+      column = indent;
+    } else if (!is_first) {
+      text += ' ';
+      ++column;
+    }
+    text += word;
+    column += word.size();
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string WrappedText(const std::string& text, std::size_t width, std::size_t indent) {
+  std::istringstream lines(text);
+  std::string wrapped;
+  bool is_first = true;
+  for (std::string line; std::getline(lines, line); is_first = false) {
+    wrapped += is_first ? "" : "\n" + std::string(line.empty() ? 0 : indent, ' ');
+    wrapped += line.starts_with(' ') ? line : WrappedLine(line, width, indent, is_first ? 0 : indent);
+  }
+  return wrapped;
+}
+
+std::string LabelledText(const std::string& label, const std::string& text, std::size_t indent,
+                         std::size_t label_width, std::size_t width) {
+  std::string line = AlignedLeft(std::string(indent, ' ') + label, label_width);
+  if (text.empty()) {
+    return line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  }
+  if (line.size() > label_width || line.back() != ' ') {
+    line += "\n" + std::string(label_width, ' ');
+  }
+  // The first line begins in the text's column as all others do.
+  const std::string wrapped = WrappedText(text, width - std::min(width, label_width));
+  std::istringstream lines(wrapped);
+  bool is_first = true;
+  for (std::string part; std::getline(lines, part); is_first = false) {
+    line += (is_first ? "" : std::string(label_width, ' ')) + part + "\n";
+  }
+  return line;
 }
 
 }  // namespace girdle

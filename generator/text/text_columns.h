@@ -25,4 +25,17 @@ enum class Alignment { kLeft, kRight };
 [[nodiscard]] std::string ColumnsText(const std::vector<std::vector<std::string>>& rows,
                                       const std::vector<Alignment>& alignments);
 
+/// Returns `text` with line breaks in place of blanks, so that lines have at most `width` bytes;
+/// a longer word stands on a line of its own. Lines after the first begin with `indent` blanks. A
+/// line of `text` that begins with a blank, such as an example, stays as it is.
+[[nodiscard]] std::string WrappedText(const std::string& text, std::size_t width,
+                                      std::size_t indent = 0);
+
+/// Returns two columns: `label`, with `indent` blanks before it and padded up to column
+/// `label_width`, and `text`, wrapped at `width`. A longer label stands on a line of its own. Ends
+/// in a line end.
+[[nodiscard]] std::string LabelledText(const std::string& label, const std::string& text,
+                                       std::size_t indent, std::size_t label_width,
+                                       std::size_t width);
+
 }  // namespace girdle

@@ -14,7 +14,7 @@ NAME = "velocity_jumps"
 JOINTS = ("SC", "AC", "GH")
 # Of one joint.
 BESIDE = {"slerp": -0.32, "squad": 0.0, "smooth": 0.32}
-# Where `girdle continuity` has its limit.
+# Where `girdle smoothness` has its limit.
 ROUNDING = 1e-9
 VELOCITY = "velocity_deg_per_deg"
 

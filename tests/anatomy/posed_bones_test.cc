@@ -127,7 +127,7 @@ TEST_P(LigamentOverTheTable, IsJustSlackWhereItIsLongest) {
   const Anatomy anatomy = BuiltInAnatomy();
   const Ligament& ligament = anatomy.ligament(GetParam().ligament);
   double longest_m = 0;
-  for (const BuiltInTable table : {BuiltInTable::kMeasured, BuiltInTable::kDestepped}) {
+  for (const BuiltInTable table : {BuiltInTable::kMeasured, BuiltInTable::kSmoothed}) {
     for (const Interpolation interpolation :
          {Interpolation::kSmooth, Interpolation::kSquad, Interpolation::kSlerp}) {
       RhythmOptions options;

@@ -207,7 +207,7 @@ TEST_P(GlidingOf, IsMeasuredLandmarkByLandmark) {
 }
 
 INSTANTIATE_TEST_SUITE_P(EachTable, GlidingOf,
-                         testing::Values(BuiltInTable::kMeasured, BuiltInTable::kDestepped),
+                         testing::Values(BuiltInTable::kMeasured, BuiltInTable::kSmoothed),
                          [](const testing::TestParamInfo<BuiltInTable>& test) {
                            return std::string(Name(test.param));
                          });
@@ -219,7 +219,7 @@ TEST(FitGlidingEllipsoid, GrowsWithThePerson) {
     landmark_m *= kTaller;
   }
   taller.ribcage = {kTaller * taller.ribcage.center_m, kTaller * taller.ribcage.radii_m};
-  const RhythmTable table = BuiltInRhythmTable(BuiltInTable::kDestepped);
+  const RhythmTable table = BuiltInRhythmTable(BuiltInTable::kSmoothed);
   const Ellipsoid grown = FitGlidingEllipsoid(taller, table).ellipsoid;
   const Ellipsoid adult = FitGlidingEllipsoid(BuiltInAnatomy(), table).ellipsoid;
   // The solver ends where a step changes the sum by its last digits.

@@ -305,7 +305,7 @@ struct NamedPlace {
   double plane_deg;
 };
 
-constexpr NamedPlace kPlaces[] = {{"rest", 0, 0},
+constexpr NamedPlace kPlaces[] = {{"hanging", 0, 0},
                                   {"relaxed", 0, 0},
                                   {"abduction_30", 30, 0},
                                   {"abduction_60", 60, 0},
@@ -316,7 +316,7 @@ constexpr NamedPlace kPlaces[] = {{"rest", 0, 0},
                                   {"across_90", 90, 120}};
 
 // The lowest position that is measured stands for rest.
-constexpr NamedPlace kPublishedPlaces[] = {{"rest", 15, 0},           {"abduction_30", 30, 0},
+constexpr NamedPlace kPublishedPlaces[] = {{"hanging", 15, 0},           {"abduction_30", 30, 0},
                                            {"abduction_60", 60, 0},   {"abduction_90", 90, 0},
                                            {"abduction_120", 120, 0}, {"flexion_90", 90, 90}};
 
@@ -596,11 +596,11 @@ TEST_P(ChosenRhythm, IsTheOneThatTheModelSays) {
 
 INSTANTIATE_TEST_SUITE_P(
     Words, ChosenRhythm,
-    testing::Values(Chosen{{}, BuiltInTable::kDestepped}, Chosen{{}, BuiltInTable::kMeasured},
+    testing::Values(Chosen{{}, BuiltInTable::kSmoothed}, Chosen{{}, BuiltInTable::kMeasured},
                     Chosen{{}, std::nullopt},
                     Chosen{{Interpolation::kSmooth, Closure::kExact, Range::kClamp},
-                           BuiltInTable::kDestepped},
-                    Chosen{{Interpolation::kSmooth, Closure::kTable}, BuiltInTable::kDestepped},
+                           BuiltInTable::kSmoothed},
+                    Chosen{{Interpolation::kSmooth, Closure::kTable}, BuiltInTable::kSmoothed},
                     Chosen{{Interpolation::kSquad, Closure::kTable}, BuiltInTable::kMeasured},
                     Chosen{{Interpolation::kSquad, Closure::kTable}, std::nullopt},
                     Chosen{{Interpolation::kSlerp, Closure::kExact}, BuiltInTable::kMeasured}));
@@ -610,7 +610,7 @@ TEST(PluginModel, SaysInWordsWhatItIsMadeOf) {
   EXPECT_EQ(Config(model, "interpolation"), "smooth");
   EXPECT_EQ(Config(model, "closure"), "exact");
   EXPECT_EQ(Config(model, "range"), "whole");
-  EXPECT_EQ(Config(model, "table"), "destepped");
+  EXPECT_EQ(Config(model, "table"), "smoothed");
 }
 
 TEST(PublishedModel, SaysInWordsWhatItIsMadeOf) {
@@ -711,9 +711,9 @@ TEST(ShoulderModel, IsTheSameTextEveryTime) {
 // It would load, and be another rhythm's.
 TEST(ShoulderModel, RefusesToNameATableThatIsNotItsOwn) {
   EXPECT_EQ(MessageOf<std::invalid_argument>([] {
-              static_cast<void>(Xml(PublishedRhythm(), {.table = BuiltInTable::kDestepped}));
+              static_cast<void>(Xml(PublishedRhythm(), {.table = BuiltInTable::kSmoothed}));
             }),
-            "the rhythm's table is not the built-in table destepped. Name the one that it is, or "
+            "the rhythm's table is not the built-in table smoothed. Name the one that it is, or "
             "none");
   EXPECT_EQ(MessageOf<std::invalid_argument>([] {
               static_cast<void>(Xml(ShoulderRhythm(OtherTable(), {}, BuiltIn().ranges),

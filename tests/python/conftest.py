@@ -135,16 +135,17 @@ def girdle(program: Path, tmp_path: Path) -> Girdle:
     return run
 
 
-# What standard error says after a file of commands.
+# What standard error says after a file of commands, and of each file that was written.
 TALLY = re.compile(
-    r"girdle: .+: \d+ (row|simulated state)s?, \d+ clamped( \(.+\))?, \d+ modelled( \(.+\))?"
+    r"(girdle: .+: \d+ (row|simulated state)s?, \d+ clamped( \(.+\))?, \d+ modelled( \(.+\))?"
     r"(, axial from (rhythm|isb|swing))?\n"
+    r"|girdle: wrote [^\n:]+(: \d+ (row|frame|position)s?)?\n)+"
 )
 
 
 @pytest.fixture
 def girdle_fine(girdle: Girdle) -> Girdle:
-    """The same for runs that must go well: exit code 0 and nothing but a tally on standard error."""
+    """As `girdle`, for runs that must go well: exit code 0, and standard error has only notes."""
 
     def run(*arguments: str | Path, stdin: bytes = b"") -> Finished:
         finished = girdle(*arguments, stdin=stdin)

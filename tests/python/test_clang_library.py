@@ -13,7 +13,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 FINGERPRINT = ROOT / "scripts" / "fingerprint"
-TABLE = ROOT / "data" / "ludewig2009_destepped.csv"
+TABLE = ROOT / "data" / "ludewig2009_smoothed.csv"
 
 
 def run(*command: str | Path) -> str:

@@ -11,17 +11,17 @@ import pytest
 from conftest import SCENE, Girdle, Refuses, contents, expect_one_message, with_scene
 from reference_rhythm import DATABASE
 
-VERBS = ("solve", "generate", "simulate", "verify", "compare", "continuity", "destep")
+VERBS = ("solve", "generate", "simulate", "verify", "compare", "smoothness", "smooth-table")
 
 # A complete command of each verb, given the scene of a model.
 ONE_POSE = ("solve", "--elevation", "23", "--plane", "50")
 TABLE_OF_POSES = ("solve", "--in", "poses.csv")
-RAISE = ("simulate", SCENE, "--raise", "15:20", "--seconds", "0.1")
+RAISE = ("simulate", SCENE, "--elevation", "15:20", "--seconds", "0.1")
 VERIFY = ("verify", SCENE)
 GENERATE = ("generate", "--out", "new_model")
-CONTINUITY = ("continuity", "--interpolation", "slerp", "--closure", "table")
+CONTINUITY = ("smoothness", "--interpolation", "slerp", "--closure", "table")
 COMPARE = ("compare", "--elevation", "30:120:30", "--plane", "0:90:45")
-DESTEP = ("destep", "--in", str(DATABASE), "--out", "smooth.csv")
+DESTEP = ("smooth-table", "--in", str(DATABASE), "--out", "smooth.csv")
 
 POSES = "elevation_deg,plane_deg\n23,50\n"
 
@@ -94,7 +94,7 @@ def test_a_missing_folder_is_named(refuses: Refuses) -> None:
     refuses("generate", because=("--out", "--help"))
 
 
-@commands(("simulate", "--raise", "15:20"), ("verify",))
+@commands(("simulate", "--elevation", "15:20"), ("verify",))
 def test_a_missing_model_is_named(refuses: Refuses, command: Command) -> None:
     refuses(*command, because=("model", "--help"))
 
@@ -102,7 +102,7 @@ def test_a_missing_model_is_named(refuses: Refuses, command: Command) -> None:
 # --- Choosing the rhythm -------------------------------------------------------------------------
 
 every_verb_that_chooses = commands(
-    ONE_POSE, TABLE_OF_POSES, RAISE, VERIFY, GENERATE, COMPARE, ("continuity",)
+    ONE_POSE, TABLE_OF_POSES, RAISE, VERIFY, GENERATE, COMPARE, ("smoothness",)
 )
 
 
@@ -166,7 +166,7 @@ NO_FOLDER = ["a_file", "a_file/below", "/proc/nope", "/dev/full"]
     (*ONE_POSE, "--out"),
     (*ONE_POSE, "--json", "--out"),
     (*TABLE_OF_POSES, "--out"),
-    (*RAISE, "--trace"),
+    (*RAISE, "--out"),
     DESTEP[:-1],
 )
 def test_a_file_that_cannot_be_written_is_refused(
@@ -188,7 +188,7 @@ def test_a_folder_that_cannot_be_made_is_refused(
 
 @commands(
     (*ONE_POSE, "--out"),
-    (*RAISE, "--trace"),
+    (*RAISE, "--out"),
     ("generate", "--out"),
     DESTEP[:-1],
     (*COMPARE, "--out"),
@@ -209,7 +209,7 @@ def test_a_place_without_a_name_is_refused_by_its_option(
     (*TABLE_OF_POSES, "--out", "/dev/stdout"),
     RAISE,
     (*RAISE, "--json"),
-    (*RAISE, "--trace", "-"),
+    (*RAISE, "--out", "-"),
     VERIFY,
     (*VERIFY, "--json"),
     (*DESTEP[:-1], "-"),
@@ -218,7 +218,7 @@ def test_a_place_without_a_name_is_refused_by_its_option(
     (*COMPARE, "--json"),
     CONTINUITY,
     (*CONTINUITY, "--json"),
-    ("solve", "--pose", "relaxed"),
+    ("solve", "--posture", "relaxed"),
     ("solve", "--elevation", "0:180:5", "--plane", "0"),
 )
 def test_a_full_standard_output_is_an_error(

@@ -138,7 +138,7 @@ POSE = ("--elevation", "60", "--plane", "40")
         ((*POSE, "--axial", "0", "--axial-from", "ulna"), ("--axial-from ulna", "rhythm, isb, swing")),
         ((*POSE, "--axial-from", "isb"), ("--axial-from isb", "Add --axial")),
         (("--elevation", "0:90:5", "--plane", "0", "--axial-from", "isb"), ("no axial turn", "Add --axial")),
-        (("--pose", "relaxed", "--axial-from", "isb"), ("--pose says all", "Leave")),
+        (("--posture", "relaxed", "--axial-from", "isb"), ("--posture says all", "Leave")),
     ],
 )
 def test_a_zero_without_a_turn_or_of_an_unknown_name_is_refused(
@@ -164,7 +164,7 @@ def test_a_column_that_plainly_is_the_axial_turn_is_refused_by_every_verb(
     (tmp_path / "arm.csv").write_text(f"time_s,elevation_deg,plane_deg,{column}\n0,20,40,1\n1,60,40,1\n")
     because = (f"arm.csv:1: column '{column}' is not known. Did you mean 'axial_deg'", "--axial-from isb")
     refuses("solve", "--in", "arm.csv", "--out", "angles.csv", because=because)
-    words = ("simulate", model_path, "--motion", "arm.csv", "--trace", "trace.csv")
+    words = ("simulate", model_path, "--in", "arm.csv", "--out", "trace.csv")
     refuses(*words, because=because)
 
 
@@ -172,7 +172,7 @@ def test_a_motion_without_the_column_is_refused(
     refuses: Refuses, model_path: Path, tmp_path: Path
 ) -> None:
     (tmp_path / "arm.csv").write_text("time_s,elevation_deg,plane_deg\n0,20,40\n1,60,40\n")
-    words = ("simulate", model_path, "--motion", "arm.csv", "--axial-from", "isb", "--trace", "t.csv")
+    words = ("simulate", model_path, "--in", "arm.csv", "--axial-from", "isb", "--out", "t.csv")
     refuses(*words, because=("arm.csv:1: --axial-from isb: no axial turn", "Add the column axial_deg"))
 
 
@@ -180,7 +180,7 @@ def test_what_solve_answered_is_a_motion(girdle_fine: Girdle, model_path: Path, 
     """Its columns about axial turns are those of the answer, and of bones."""
     poses = b"time_s,elevation_deg,plane_deg\n0,20,40\n0.01,21,40\n"
     girdle_fine("solve", "--in", "-", "--out", "solved.csv", stdin=poses)
-    girdle_fine("simulate", model_path, "--motion", "solved.csv")
+    girdle_fine("simulate", model_path, "--in", "solved.csv")
 
 
 def test_the_tally_says_what_axial_turns_count_from(
@@ -189,7 +189,7 @@ def test_the_tally_says_what_axial_turns_count_from(
     rows = "time_s,elevation_deg,plane_deg,axial_deg\n0,60,40,-40\n0.01,60,40,-40\n"
     (tmp_path / "arm.csv").write_text(rows)
     (tmp_path / "isb.csv").write_text(rows.replace(",60,", ",-60,"))
-    simulate = ("simulate", model_path, "--motion")
+    simulate = ("simulate", model_path, "--in")
     for words, zero in (
         (("solve", "--in", "arm.csv"), "rhythm"),
         (("solve", "--in", "arm.csv", "--axial-from", "swing"), "swing"),
@@ -205,7 +205,7 @@ def test_the_tally_says_what_axial_turns_count_from(
 
 def test_a_raise_has_no_turn_to_count(refuses: Refuses, model_path: Path) -> None:
     refuses(
-        "simulate", str(model_path), "--raise", "0:90", "--axial-from", "isb",
+        "simulate", str(model_path), "--elevation", "0:90", "--axial-from", "isb",
         because=("--axial-from belongs to the column axial_deg",),
     )  # fmt: skip
 

@@ -31,7 +31,7 @@ from reference_rhythm import DATABASE
 
 VERBS: dict[str, tuple[str, ...]] = {
     "verify": ("verify",),
-    "simulate": ("simulate", "--raise", "15:20", "--trace", "trace.csv"),
+    "simulate": ("simulate", "--elevation", "15:20", "--out", "trace.csv"),
 }
 every_verb = pytest.mark.parametrize("command", VERBS.values(), ids=VERBS.keys())
 
@@ -333,7 +333,7 @@ def test_a_scene_whose_model_is_gone_is_refused(
 
 WITH_PLUGIN: dict[str, tuple[str, ...]] = {
     "verify": ("verify", SCENE),
-    "simulate": ("simulate", SCENE, "--raise", "15:20", "--trace", "trace.csv"),
+    "simulate": ("simulate", SCENE, "--elevation", "15:20", "--out", "trace.csv"),
     "generate": ("generate", "--out", "new_model"),
 }
 every_verb_with_plugin = pytest.mark.parametrize(

@@ -14,7 +14,7 @@ from conftest import SCENE, Girdle, Refuses, with_scene
 from reference_rhythm import DATABASE
 
 # What the default model moves by.
-DESTEPPED = DATABASE.with_name("ludewig2009_destepped.csv")
+DESTEPPED = DATABASE.with_name("ludewig2009_smoothed.csv")
 PUBLISHED = ("--interpolation", "squad", "--closure", "table")
 
 Table = list[list[str]]
@@ -281,9 +281,9 @@ every_small_table = pytest.mark.parametrize(
 )
 SMALL_VERBS = VERBS | {
     "solve rows": ("solve", "--elevation", "30:60:30", "--plane", "0", "--out", "map.csv"),
-    "simulate": ("simulate", SCENE, "--raise", "30:60", "--trace", "trace.csv"),
+    "simulate": ("simulate", SCENE, "--elevation", "30:60", "--out", "trace.csv"),
     "compare": ("compare", "--out", "map.csv"),
-    "continuity": ("continuity",),
+    "smoothness": ("continuity",),
 }
 
 

@@ -24,8 +24,8 @@ BINARY = "model.mjb"
 
 VERBS: dict[str, tuple[str, ...]] = {
     "verify": ("verify", BINARY),
-    "simulate": ("simulate", BINARY, "--raise", "15:20", "--seconds", "0.1", "--trace", "out"),
-    "render": ("render", BINARY, "--keyframe", "rest", "--size", "64x48", "--out", "out.png"),
+    "simulate": ("simulate", BINARY, "--elevation", "15:20", "--seconds", "0.1", "--out", "out"),
+    "render": ("render", BINARY, "--keyframe", "hanging", "--size", "64x48", "--out", "out.png"),
 }
 every_verb = pytest.mark.parametrize("command", VERBS.values(), ids=VERBS.keys())
 

@@ -111,15 +111,15 @@ def plugin_config(model: Path) -> dict[str | None, str | None]:
 
 # Options, and what the plugin is told: interpolation, closure, range and table.
 CONFIGURED = [
-    ((), ("smooth", "exact", "whole", "destepped")),
+    ((), ("smooth", "exact", "whole", "smoothed")),
     (("--table", "measured"), ("smooth", "exact", "whole", "measured")),
-    (("--range", "clamp"), ("smooth", "exact", "clamp", "destepped")),
-    (("--closure", "table"), ("smooth", "table", "clamp", "destepped")),
+    (("--range", "clamp"), ("smooth", "exact", "clamp", "smoothed")),
+    (("--closure", "table"), ("smooth", "table", "clamp", "smoothed")),
     (("--interpolation", "squad"), ("squad", "exact", "clamp", "measured")),
     (PUBLISHED, ("squad", "table", "clamp", "measured")),
     (
-        ("--interpolation", "slerp", "--table", "destepped"),
-        ("slerp", "exact", "clamp", "destepped"),
+        ("--interpolation", "slerp", "--table", "smoothed"),
+        ("slerp", "exact", "clamp", "smoothed"),
     ),
 ]
 
@@ -165,7 +165,7 @@ def test_a_model_with_a_table_of_its_own_moves_by_it(
         f"time_s,elevation_deg,plane_deg\n0,{CHANGED_ELEVATION},{CHANGED_PLANE}\n"
     )
     trace = girdle_fine(
-        "simulate", f"model/{SCENE_FILE}", "--motion", "stay.csv", "--trace", "-"
+        "simulate", f"model/{SCENE_FILE}", "--in", "stay.csv", "--out", "-"
     ).text
     (row,) = csv.DictReader(trace.splitlines())
     assert float(row[f"target_{CHANGED_COLUMN}"]) == pytest.approx(
@@ -226,7 +226,7 @@ def test_rates_go_with_everything_smooth(girdle_fine: Girdle, options: tuple[str
 def test_with_rates_the_joints_lag_less(girdle_fine: Girdle, generated: Path) -> None:
     """Fed forward, the rates leave next to nothing but what the servos do not know: inertia."""
     girdle_fine("generate", "--out", "model", "--rates")
-    motion = ("--raise", "0:150", "--plane", "40", "--seconds", "1.5", "--json")
+    motion = ("--elevation", "0:150", "--plane", "40", "--seconds", "1.5", "--json")
     plain, fed = (
         json.loads(girdle_fine("simulate", scene, *motion).text)["worst_tracking_error_deg"]
         for scene in (generated / SCENE_FILE, f"model/{SCENE_FILE}")

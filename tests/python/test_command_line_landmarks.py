@@ -98,7 +98,7 @@ def test_landmarks_are_where_bones_hung_from_each_other_have_them(
 
 
 def test_the_resting_shoulder_has_its_landmarks_too(girdle_fine: Girdle) -> None:
-    answer = json.loads(girdle_fine("solve", "--pose", "relaxed", "--landmarks", "--json").text)
+    answer = json.loads(girdle_fine("solve", "--posture", "relaxed", "--landmarks", "--json").text)
     expected = expected_mm(answer["angles_deg"])
     for point in POINTS:
         assert answer["landmarks_mm"][point] == pytest.approx(expected[point], abs=AGREEMENT_MM)
@@ -118,7 +118,7 @@ def test_a_table_has_the_columns_of_one_pose_behind_its_others(girdle_fine: Gird
         )
 
 
-@pytest.mark.parametrize("pose", [("--elevation", "80", "--plane", "5"), ("--pose", "relaxed")])
+@pytest.mark.parametrize("pose", [("--elevation", "80", "--plane", "5"), ("--posture", "relaxed")])
 def test_the_text_for_people_has_every_landmark(girdle_fine: Girdle, pose: tuple[str, ...]) -> None:
     text = girdle_fine("solve", *pose, "--landmarks").text
     found = re.findall(r"^(\w+) +(-?[\d.]+) +(-?[\d.]+) +(-?[\d.]+)$", text, re.MULTILINE)
@@ -144,7 +144,7 @@ def test_a_longer_humerus_takes_the_elbow_along_and_no_other_bone(girdle_fine: G
 
 @pytest.mark.parametrize(
     "whose",
-    [("--stature", "1.8"), ("--anatomy", "mine.csv"), ("--thorax", "mine.csv")],
+    [("--stature", "1.8"), ("--anatomy", "mine.csv"), ("--ellipsoids", "mine.csv")],
     ids=lambda whose: whose[0],
 )
 @pytest.mark.parametrize(
@@ -152,7 +152,7 @@ def test_a_longer_humerus_takes_the_elbow_along_and_no_other_bone(girdle_fine: G
     [
         ("--elevation", "60", "--plane", "0"),
         ("--elevation", "0:90:30", "--plane", "0"),
-        ("--pose", "relaxed"),
+        ("--posture", "relaxed"),
     ],
 )
 def test_a_person_without_landmarks_to_print_is_refused(

@@ -88,11 +88,11 @@ def test_a_loop_holds_and_its_gap_is_reported(
     motion = written(tmp_path / "motion.csv", moved)
     loop = ("--assembly", "loop", "--lead", lead, "--actuation", actuation)
     model = stepped(girdle_fine, tmp_path / "model", step_ms, *loop)
-    words = ("simulate", str(model), "--motion", str(motion))
+    words = ("simulate", str(model), "--in", str(motion))
     gaps_mm = {}
     for side in ("right", "left"):
         trace = tmp_path / f"{side}.csv"
-        said = girdle_fine(*words, "--side", side, "--trace", str(trace), "--json").text
+        said = girdle_fine(*words, "--side", side, "--out", str(trace), "--json").text
         # Of every loop, whichever shoulder the trace is of.
         gaps_mm = json.loads(said)["loop_gaps_mm"]
         assert list(gaps_mm) == ["AC_r", "AC_l"]
@@ -122,8 +122,8 @@ def test_a_moving_loop_is_verified_by_what_its_step_can_hold(
 
 def test_a_tree_has_no_loop(girdle_fine: Girdle, tmp_path: Path, motion: Path) -> None:
     model = stepped(girdle_fine, tmp_path / "model", 2)
-    assert "loop" not in girdle_fine("simulate", str(model), "--motion", str(motion)).text
-    said = girdle_fine("simulate", str(model), "--motion", str(motion), "--json").text
+    assert "loop" not in girdle_fine("simulate", str(model), "--in", str(motion)).text
+    said = girdle_fine("simulate", str(model), "--in", str(motion), "--json").text
     assert json.loads(said)["loop_gaps_mm"] == {}
 
 
@@ -134,7 +134,7 @@ def test_longer_steps_are_refused_with_the_longest_one(
 ) -> None:
     loop = ("--assembly", "loop", "--lead", lead, "--actuation", actuation)
     refuses(
-        *("simulate", str(stepped(girdle_fine, tmp_path / "model", 8, *loop)), "--motion", str(motion)),
+        *("simulate", str(stepped(girdle_fine, tmp_path / "model", 8, *loop)), "--in", str(motion)),
         because=(
             "the time step is 0.008 s, and the longest for a loop is 0.005 s",
             'write <option timestep="0.005" integrator="implicitfast"/>',
@@ -174,7 +174,7 @@ def test_what_the_servos_cannot_do_with_is_refused(
     assert model.count(own) == 1
     path.write_text(model.replace(own, changed))
     refuses(
-        *("simulate", str(path), "--motion", str(motion)),
+        *("simulate", str(path), "--in", str(motion)),
         because=because,
     )
 
@@ -194,7 +194,7 @@ def test_position_servos_with_explicit_damping(
 ) -> None:
     """They have no plugin that says it."""
     path = stepped(girdle_fine, tmp_path / "model", 2, "--actuation", "position")
-    words = ("simulate", str(path), "--motion", str(motion))
+    words = ("simulate", str(path), "--in", str(motion))
     own = re.compile(r"<option timestep=\"0.002\" integrator=\"implicitfast\"(.*?)/>")
     model = path.read_text()
     assert own.search(model)
@@ -222,7 +222,7 @@ def test_a_place_servo_that_is_held_back(
         "10 mm",
         'write forcelimited="false"',
     )
-    refuses("simulate", str(path), "--motion", str(motion), because=because)
+    refuses("simulate", str(path), "--in", str(motion), because=because)
 
 
 @pytest.mark.parametrize("assembly", ["tree", "loop"])
@@ -231,4 +231,4 @@ def test_20_ms_are_refused(
 ) -> None:
     model = stepped(girdle_fine, tmp_path / "model", 20, "--assembly", assembly)
     because = ("the time step is 0.02 s, expected .* to 0.01", 'Set <option timestep="0.002"/>')
-    refuses("simulate", str(model), "--motion", str(motion), because=because)
+    refuses("simulate", str(model), "--in", str(motion), because=because)

@@ -66,7 +66,7 @@ def traced(girdle_fine: Girdle, scene: Path, tmp_path: Path) -> Traced:
 
     def run(text: str, *options: str) -> Rows:
         (tmp_path / "motion.csv").write_text(text)
-        words = ("--motion", "motion.csv", "--trace", "-", *options)
+        words = ("--in", "motion.csv", "--out", "-", *options)
         return read_rows(girdle_fine("simulate", scene, *words).text)
 
     return run
@@ -129,7 +129,7 @@ def test_a_walking_arm_is_followed_in_every_row(
     assert solved.message.startswith("girdle: walk.csv: 1001 rows, 0 clamped, ")
     planes_deg = [float(row["plane_deg"]) for row in read_rows((tmp_path / "walked.csv").read_text())]
     assert min(planes_deg) < -75
-    simulated = girdle("simulate", scene, "--motion", "walk.csv", "--trace", "trace.csv")
+    simulated = girdle("simulate", scene, "--in", "walk.csv", "--out", "trace.csv")
     assert simulated.code == 0
     assert "walk.csv: 5001 simulated states, 0 clamped, " in simulated.message
     for row in read_rows((tmp_path / "trace.csv").read_text()):
@@ -160,7 +160,7 @@ def test_a_plane_is_an_angle_in_every_verb(
         poses = f"elevation_deg,plane_deg\n60,{word}\n".encode()
         (row,) = read_rows(girdle_fine("solve", "--in", "-", stdin=poses).text)
         solved.append({name: v for name, v in row.items() if name != "plane_deg"})
-        motion = ("--raise", "60:60", "--seconds", "0.01", f"--plane={word}", "--trace", "-")
+        motion = ("--elevation", "60:60", "--seconds", "0.01", f"--plane={word}", "--out", "-")
         raised.append(girdle_fine("simulate", scene, *motion).output)
         picture = ("--elevation", "60", f"--plane={word}", "--size", "32x24", "--out", "arm.png")
         drawn.append((girdle_fine("render", scene, *picture).text, contents(tmp_path)["arm.png"]))
@@ -195,7 +195,7 @@ def test_negative_elevations_are_refused_with_isbs_sign_named(
     refuses("solve", "--in", "isb.csv", "--convention", "girdle", because=because)
     (tmp_path / "motion.csv").write_text("time_s,elevation_deg,plane_deg\n0,15,40\n1,-15,40\n")
     because = (r"motion.csv:3: elevation_deg is -15: ", *ISB_SAID)
-    words = ("simulate", scene, "--motion", "motion.csv", "--trace", "trace.csv")
+    words = ("simulate", scene, "--in", "motion.csv", "--out", "trace.csv")
     refuses(*words, because=because)
 
 
@@ -208,7 +208,7 @@ def test_an_axial_option_beside_negative_elevations_is_told_what_becomes_of_it(
 
 
 def test_the_sign_of_raise_is_shown_as_the_convention_has_it(refuses: Refuses, scene: Path) -> None:
-    words = ("simulate", scene, "--raise=15:120", "--convention", "isb")
+    words = ("simulate", scene, "--elevation=15:120", "--convention", "isb")
     refuses(*words, because=("such as -15:-120 are read$",))
 
 
@@ -230,7 +230,7 @@ def test_what_the_table_answers_is_not_called_modelled(girdle_fine: Girdle, tmp_
     folder = tmp_path / "clamp"
     girdle_fine("generate", "--range", "clamp", "--out", folder)
     (tmp_path / "motion.csv").write_text(motion_text(((0, 150, 40), (0.1, 170, 40))))
-    finished = girdle_fine("simulate", folder / "scene.xml", "--motion", "motion.csv")
+    finished = girdle_fine("simulate", folder / "scene.xml", "--in", "motion.csv")
     assert "51 clamped (51 beyond the table), 0 modelled" in finished.message
     assert "modelled" not in finished.text
     said = girdle_fine("solve", "--elevation", "180", "--plane", "0", "--range", "clamp").text
@@ -243,7 +243,7 @@ def test_what_the_table_answers_is_not_called_modelled(girdle_fine: Girdle, tmp_
     [
         (("solve", "--elevation=-90", "--plane=40"), "--elevation -90: "),
         (("solve", "--elevation=-90:0:10", "--plane=40"), "--elevation -90: "),
-        (("simulate", "SCENE", "--raise=-20:60"), "--raise '-20:60': -20: "),
+        (("simulate", "SCENE", "--elevation=-20:60"), "--elevation '-20:60': -20: "),
         (("render", "SCENE", "--elevation=-90", "--out", "arm.png"), "--elevation -90: "),
         (("compare", "--elevation=-90:0:10"), "--elevation '-90:0:10': "),
     ],
@@ -281,7 +281,7 @@ def test_isbs_elevations_of_options_are_read_where_that_is_said(
         assert girdle_fine(*theirs).output == girdle_fine(*ours).output
 
     same(("solve", "--plane=40", "--json"), "--elevation=90", "--elevation=-90")
-    same(("simulate", scene, "--seconds=0.05", "--trace=-"), "--raise=20:60", "--raise=-20:-60")
+    same(("simulate", scene, "--seconds=0.05", "--out=-"), "--elevation=20:60", "--elevation=-20:-60")
     swept = read_rows(girdle_fine("solve", "--elevation=-90:-30:30", "--plane=40", *isb).text)
     assert [float(row["elevation_deg"]) for row in swept] == [-90, -60, -30]
     assert [float(row["used_elevation_deg"]) for row in swept] == pytest.approx([90, 60, 30])
@@ -350,7 +350,7 @@ def test_a_motion_that_looks_like_radians_is_refused(
 ) -> None:
     rows = tuple((i / 10, 0.1 + 0.2 * i, 0.7) for i in range(10))
     (tmp_path / "motion.csv").write_text(motion_text(rows))
-    words = ("simulate", scene, "--motion", "motion.csv", "--trace", "trace.csv")
+    words = ("simulate", scene, "--in", "motion.csv", "--out", "trace.csv")
     refuses(*words, because=("motion.csv: in 10 rows", "look like radians", "--angles rad"))
 
 
@@ -403,8 +403,8 @@ def test_a_motion_may_have_other_columns(traced: Traced) -> None:
 
 
 def test_a_trace_is_a_motion_as_it_stands(girdle_fine: Girdle, scene: Path, traced: Traced) -> None:
-    raised = ("simulate", scene, "--raise", "15:120", "--plane", "40", "--seconds", "0.1")
-    trace = girdle_fine(*raised, "--trace", "-").text
+    raised = ("simulate", scene, "--elevation", "15:120", "--plane", "40", "--seconds", "0.1")
+    trace = girdle_fine(*raised, "--out", "-").text
     for row, same in zip(traced(trace), read_rows(trace), strict=True):
         numbers, expected = ([float(v) for v in r.values()] for r in (row, same))
         assert numbers == pytest.approx(expected, abs=ROUNDING_DEG)
@@ -420,7 +420,7 @@ def test_a_column_that_is_nearly_known_is_refused_by_every_verb(
     (tmp_path / "arm.csv").write_text(text)
     because = (f"arm.csv:1: column '{column}' is not known. Did you mean '{meant}'",)
     refuses("solve", "--in", "arm.csv", "--out", "angles.csv", because=because)
-    words = ("simulate", scene, "--motion", "arm.csv", "--trace", "trace.csv")
+    words = ("simulate", scene, "--in", "arm.csv", "--out", "trace.csv")
     refuses(*words, because=because)
 
 
@@ -447,9 +447,9 @@ def test_a_motion_may_be_longer_where_that_is_said(
     step_s, least_bytes_of_a_row = 0.002, 1000
     seconds = math.ceil(free / least_bytes_of_a_row * step_s) + 3600
     (tmp_path / "motion.csv").write_text(motion_text(((0, 20, 40), (seconds, 60, 40))))
-    words = ("simulate", scene, "--motion", "motion.csv", "--trace", "trace.csv")
+    words = ("simulate", scene, "--in", "motion.csv", "--out", "trace.csv")
     refuses(*words, because=("motion.csv:3: ", "at most 3600", "--longest"))
-    because = ("--trace trace.csv: takes about", "GB are free", "shorter motion")
+    because = ("--out trace.csv: takes about", "GB are free", "shorter motion")
     refuses(*words, "--longest", str(seconds), because=because)
 
 
@@ -475,7 +475,7 @@ def test_a_file_ends_with_a_line_that_counts(
     one = girdle("solve", "--in", "-", stdin=b"elevation_deg,plane_deg\n60,40\n")
     assert one.message == "girdle: standard input: 1 row, 0 clamped, 0 modelled\n"
     (tmp_path / "motion.csv").write_text(motion_text(((0, 60, 40), (0.01, 60, 40))))
-    words = ("simulate", scene, "--motion", "motion.csv", "--json")
+    words = ("simulate", scene, "--in", "motion.csv", "--json")
     finished = girdle(*words)
     assert finished.message == "girdle: motion.csv: 6 simulated states, 0 clamped, 0 modelled\n"
     summary = json.loads(finished.text)
@@ -486,10 +486,10 @@ def test_columns_are_pointed_to_where_they_are_written(
     girdle: Girdle, scene: Path, tmp_path: Path
 ) -> None:
     (tmp_path / "motion.csv").write_text(motion_text(((0, 60, 200), (0.01, 60, 200))))
-    words = ("simulate", scene, "--motion", "motion.csv")
+    words = ("simulate", scene, "--in", "motion.csv")
     said = "girdle: motion.csv: 6 simulated states, 6 clamped (6 beyond what an arm reaches"
     assert girdle(*words).message.startswith(f"{said}), ")
-    traced = girdle(*words, "--trace", "trace.csv").message
+    traced = girdle(*words, "--out", "trace.csv").message
     assert traced.startswith(f"{said}; see the columns used_*), ")
 
 
@@ -498,14 +498,14 @@ def test_stamps_that_may_be_milliseconds_are_pointed_out(
 ) -> None:
     stamps = [10.0 * i for i in range(12)]
     (tmp_path / "motion.csv").write_text(motion_text(tuple((s, 60, 40) for s in stamps)))
-    simulated = girdle("simulate", scene, "--motion", "motion.csv")
+    simulated = girdle("simulate", scene, "--in", "motion.csv")
     assert simulated.code == 0
     assert simulated.message.startswith(
         "girdle: motion.csv: its 12 rows are 10 s apart (median), 110 s in all. If time_s is in "
         "milliseconds, divide it by 1000\ngirdle: motion.csv: "
     )
     (tmp_path / "motion.csv").write_text(motion_text(tuple((s / 1000, 60, 40) for s in stamps)))
-    girdle_fine("simulate", scene, "--motion", "motion.csv")
+    girdle_fine("simulate", scene, "--in", "motion.csv")
 
 
 def test_a_picture_says_which_direction_it_shows(girdle_fine: Girdle, scene: Path) -> None:

@@ -62,23 +62,23 @@ def _folder(tmp_path: Path, generated: Path) -> None:
     )
 
 
-SIMULATE = ("simulate", SCENE_FILE, "--motion", "motion.csv")
+SIMULATE = ("simulate", SCENE_FILE, "--in", "motion.csv")
 POSE = ("solve", "--elevation=60", "--plane=40")
 
 
 @pytest.mark.parametrize(
     ("words", "written", "read"),
     [
-        ((*SIMULATE, "--trace", "motion.csv"), "--trace motion.csv", "--motion motion.csv"),
-        ((*SIMULATE, "--trace", "./my/../motion.csv"), "--trace ./my/../motion.csv", "--motion"),
-        ((*SIMULATE, "--trace", "link.csv"), "--trace link.csv", "--motion motion.csv"),
-        ((*SIMULATE, "--trace", "hard.csv"), "--trace hard.csv", "--motion motion.csv"),
-        ((*SIMULATE, "--trace", SCENE_FILE), f"--trace {SCENE_FILE}", f"the model {SCENE_FILE}"),
-        ((*SIMULATE, "--controls", "link.csv"), "--controls link.csv", "--motion motion.csv"),
-        ((*SIMULATE, "--picture", "link.png"), "--picture link.png", f"the model {SCENE_FILE}"),
+        ((*SIMULATE, "--out", "motion.csv"), "--out motion.csv", "--in motion.csv"),
+        ((*SIMULATE, "--out", "./my/../motion.csv"), "--out ./my/../motion.csv", "--in"),
+        ((*SIMULATE, "--out", "link.csv"), "--out link.csv", "--in motion.csv"),
+        ((*SIMULATE, "--out", "hard.csv"), "--out hard.csv", "--in motion.csv"),
+        ((*SIMULATE, "--out", SCENE_FILE), f"--out {SCENE_FILE}", f"the model {SCENE_FILE}"),
+        ((*SIMULATE, "--out-controls", "link.csv"), "--out-controls link.csv", "--in motion.csv"),
+        ((*SIMULATE, "--out-picture", "link.png"), "--out-picture link.png", f"the model {SCENE_FILE}"),
         (
-            (*SIMULATE, "--table", "table.csv", "--trace", "table.csv"),
-            "--trace table.csv",
+            (*SIMULATE, "--table", "table.csv", "--out", "table.csv"),
+            "--out table.csv",
             "--table table.csv",
         ),
         (("solve", "--in", "motion.csv", "--out", "link.csv"), "--out link.csv", "--in motion.csv"),
@@ -89,35 +89,35 @@ POSE = ("solve", "--elevation=60", "--plane=40")
             "--anatomy landmarks.csv",
         ),
         (
-            (*POSE, "--landmarks", "--thorax", "ellipsoids.csv", "--out", "ellipsoids.csv"),
+            (*POSE, "--landmarks", "--ellipsoids", "ellipsoids.csv", "--out", "ellipsoids.csv"),
             "--out ellipsoids.csv",
-            "--thorax ellipsoids.csv",
+            "--ellipsoids ellipsoids.csv",
         ),
         (
             ("render", SCENE_FILE, "--out", "link.png"),
             "--out link.png",
             f"the model {SCENE_FILE}",
         ),
-        (("destep", "--in", "table.csv", "--out", "table.csv"), "--out table.csv", "--in table.csv"),
+        (("smooth-table", "--in", "table.csv", "--out", "table.csv"), "--out table.csv", "--in table.csv"),
         (
             ("compare", "--table", "table.csv", "--out", "./table.csv"),
             "--out ./table.csv",
             "--table table.csv",
         ),
         (
-            ("thorax", "--anatomy", "landmarks.csv", "--out", "landmarks.csv"),
+            ("fit-thorax", "--anatomy", "landmarks.csv", "--out", "landmarks.csv"),
             "--out landmarks.csv",
             "--anatomy landmarks.csv",
         ),
         (
-            ("thorax", "--table", "table.csv", "--out", "table.csv"),
+            ("fit-thorax", "--table", "table.csv", "--out", "table.csv"),
             "--out table.csv",
             "--table table.csv",
         ),
         (
-            ("thorax", "--thorax", "ellipsoids.csv", "--out", "ellipsoids.csv"),
+            ("fit-thorax", "--ellipsoids", "ellipsoids.csv", "--out", "ellipsoids.csv"),
             "--out ellipsoids.csv",
-            "--thorax ellipsoids.csv",
+            "--ellipsoids ellipsoids.csv",
         ),
         *(
             (
@@ -125,7 +125,7 @@ POSE = ("solve", "--elevation=60", "--plane=40")
                 f"--out my/{MODEL_FILE}",
                 f"{option} my/{MODEL_FILE}",
             )
-            for option in ("--anatomy", "--thorax", "--plugin")
+            for option in ("--anatomy", "--ellipsoids", "--plugin")
         ),
         (
             ("generate", "--skin", "parts/hard.obj", "--skin-landmarks", "parts/bones.csv", "--out", "my"),
@@ -138,8 +138,8 @@ POSE = ("solve", "--elevation=60", "--plane=40")
             "--skin-landmarks parts/bones.csv",
         ),
         (
-            (*SIMULATE, "--plugin", "motion.so", "--trace", "motion.so"),
-            "--trace motion.so",
+            (*SIMULATE, "--plugin", "motion.so", "--out", "motion.so"),
+            "--out motion.so",
             "--plugin motion.so",
         ),
         (
@@ -152,30 +152,30 @@ POSE = ("solve", "--elevation=60", "--plane=40")
             "--out table.png",
             "--table table.png",
         ),
-        ((*SIMULATE, "--trace", MODEL_FILE), f"--trace {MODEL_FILE}", f"the model's file {MODEL_FILE}"),
+        ((*SIMULATE, "--out", MODEL_FILE), f"--out {MODEL_FILE}", f"the model's file {MODEL_FILE}"),
         (
-            ("simulate", "whole.xml", "--motion", "motion.csv", "--trace", "my/deep.xml"),
-            "--trace my/deep.xml",
+            ("simulate", "whole.xml", "--in", "motion.csv", "--out", "my/deep.xml"),
+            "--out my/deep.xml",
             "the model's file my/deep.xml",
         ),
         (
-            ("simulate", "whole.xml", "--motion", "motion.csv", "--controls", "parts/bone.obj"),
-            "--controls parts/bone.obj",
+            ("simulate", "whole.xml", "--in", "motion.csv", "--out-controls", "parts/bone.obj"),
+            "--out-controls parts/bone.obj",
             "the model's file parts/bone.obj",
         ),
         (
-            ("simulate", "whole.xml", "--motion", "motion.csv", "--trace", "parts/my/arm.skn"),
-            "--trace parts/my/arm.skn",
+            ("simulate", "whole.xml", "--in", "motion.csv", "--out", "parts/my/arm.skn"),
+            "--out parts/my/arm.skn",
             "the model's file parts/my/arm.skn",
         ),
         (
-            ("simulate", "whole.xml", "--motion", "motion.csv", "--trace", "lab/leaf.obj"),
-            "--trace lab/leaf.obj",
+            ("simulate", "whole.xml", "--in", "motion.csv", "--out", "lab/leaf.obj"),
+            "--out lab/leaf.obj",
             "the model's file lab/leaf.obj",
         ),
         (
-            ("simulate", "whole.xml", "--motion", "motion.csv", "--trace", "my/child/meshes/z.obj"),
-            "--trace my/child/meshes/z.obj",
+            ("simulate", "whole.xml", "--in", "motion.csv", "--out", "my/child/meshes/z.obj"),
+            "--out my/child/meshes/z.obj",
             "the model's file my/child/meshes/z.obj",
         ),
         (
@@ -212,4 +212,4 @@ def test_other_files_and_devices_are_written(girdle_fine: Girdle, tmp_path: Path
     """A file of the name of a built-in table is no table that is read."""
     girdle_fine("solve", "--in", "motion.csv", "--table", "measured", "--out", "measured")
     assert (tmp_path / "measured").is_file()
-    girdle_fine(*SIMULATE, "--trace", "/dev/null", "--controls", "/dev/null")
+    girdle_fine(*SIMULATE, "--out", "/dev/null", "--out-controls", "/dev/null")

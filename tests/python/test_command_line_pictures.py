@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Girdle authors
 # SPDX-License-Identifier: Apache-2.0
-"""Pictures and videos as a person asks for them: `girdle render`, `girdle simulate --picture`."""
+"""Pictures and videos as a person asks for them: `girdle render`, `girdle simulate --out-picture`."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from PIL import Image
 
 # Of every picture here: small, so that software draws it at once.
 SMALL = ("--size", "160x120")
-RAISE = ("--raise", "0:90", "--seconds", "0.2")
+RAISE = ("--elevation", "0:90", "--seconds", "0.2")
 
 # Mean difference of two pictures' colours, of 255. The arm is a small part of a picture.
 SAME = 0.1  # edges of positions that differ by rounding
@@ -137,7 +137,7 @@ def test_egl_and_osmesa_draw_the_same_arm(draw: Draw, monkeypatch: pytest.Monkey
     assert difference(*pictures) < SAME_TO_A_RENDERER
 
 
-@pytest.mark.parametrize("words", [("--keyframe", "rest"), ()])
+@pytest.mark.parametrize("words", [("--keyframe", "hanging"), ()])
 def test_the_arm_rests_by_default(draw: Draw, words: tuple[str, ...]) -> None:
     assert draw(*words) == draw("--elevation", "0")
 
@@ -155,14 +155,14 @@ def test_a_keyframe_is_where_the_rhythm_has_the_arm(
 ) -> None:
     posed = draw("--elevation", elevation, "--plane", plane)
     assert difference(draw("--keyframe", keyframe), posed) < SAME
-    assert difference(draw("--keyframe", "rest"), posed) > OTHER_POSE
+    assert difference(draw("--keyframe", "hanging"), posed) > OTHER_POSE
 
 
 @pytest.mark.numbers
 def test_the_end_of_a_slow_raise_is_where_the_rhythm_has_the_arm(
     girdle_fine: Girdle, scene: Path, tmp_path: Path, draw: Draw
 ) -> None:
-    girdle_fine("simulate", scene, "--raise", "0:90", *SMALL, "--picture", "end.png")
+    girdle_fine("simulate", scene, "--elevation", "0:90", *SMALL, "--out-picture", "end.png")
     assert difference(read_png(tmp_path / "end.png"), draw("--elevation", "90")) < OTHER_POSE
 
 
@@ -291,7 +291,7 @@ def test_a_video_shows_the_motion_in_real_time(
     girdle_fine: Girdle, scene: Path, tmp_path: Path, words: tuple[str, ...], rate: int
 ) -> None:
     finished = girdle_fine(
-        "simulate", scene, "--raise", "0:90", "--seconds", "1", *SMALL, *words, "--video", "arm.mp4"
+        "simulate", scene, "--elevation", "0:90", "--seconds", "1", *SMALL, *words, "--out-video", "arm.mp4"
     )
     frames = rate + 1  # from the first instant to the last
     assert f"video  arm.mp4, {frames} frames\n" in finished.text
@@ -306,8 +306,8 @@ def test_a_video_shows_the_motion_in_real_time(
 def test_a_video_begins_and_ends_with_the_motion(
     girdle_fine: Girdle, scene: Path, tmp_path: Path, draw: Draw
 ) -> None:
-    pictures = ("--video", "arm.mp4", "--fps", "5", "--picture", "end.png")
-    girdle_fine("simulate", scene, "--raise", "0:90", "--seconds", "2", *SMALL, *pictures)
+    pictures = ("--out-video", "arm.mp4", "--fps", "5", "--out-picture", "end.png")
+    girdle_fine("simulate", scene, "--elevation", "0:90", "--seconds", "2", *SMALL, *pictures)
     video, frames = tmp_path / "arm.mp4", tmp_path / "frame_%d.png"
     command: list[str | Path] = ["ffmpeg", "-v", "error", "-i", video, frames]
     subprocess.run(command, check=True, stdin=subprocess.DEVNULL)
@@ -345,8 +345,8 @@ def film(
     if not films:
         folder = tmp_path_factory.mktemp("film")
         (folder / "a.mp4").write_bytes(EARLIER)
-        videos = ("--video", folder / "a.mp4", "--picture", folder / "a.png")
-        results = ("--trace", folder / "seen.csv", *videos)
+        videos = ("--out-video", folder / "a.mp4", "--out-picture", folder / "a.png")
+        results = ("--out", folder / "seen.csv", *videos)
         said = girdle_fine("simulate", scene, *RAISE, *SMALL, *results, "--json").text
         films.append(Film(folder, json.loads(said)))
     return films[0]
@@ -366,7 +366,7 @@ def test_a_video_is_written_in_place_of_the_one_before(film: Film) -> None:
 def test_pictures_leave_the_motion_as_it_is(
     girdle_fine: Girdle, scene: Path, film: Film, tmp_path: Path
 ) -> None:
-    girdle_fine("simulate", scene, *RAISE, "--trace", "plain.csv")
+    girdle_fine("simulate", scene, *RAISE, "--out", "plain.csv")
     assert (tmp_path / "plain.csv").read_bytes() == (film.folder / "seen.csv").read_bytes()
 
 
@@ -400,7 +400,7 @@ def literal(text: str) -> str:
         (("--elevation", "181"), "--elevation 181: expected 0 to 180 degrees"),
         (("--convention", "isb"), "--convention isb: of which elevation"),
         (("--plane", "40"), "--plane 40: of which elevation"),
-        (("--elevation", "9", "--keyframe", "rest"), "Give either --keyframe, or --elevation"),
+        (("--elevation", "9", "--keyframe", "hanging"), "Give either --keyframe, or --elevation"),
         (("--side", "right"), "--side right: a keyframe is one of the whole model"),
         (("--elevation", "9", "--side", "left"), "has no left shoulder"),
         (("--elevation", "9", "--interpolation", "x"), "--interpolation x: not known"),
@@ -419,29 +419,29 @@ def test_render_refuses(
 @pytest.mark.parametrize(
     ("words", "because"),
     [
-        (("--picture", "arm.jpg"), "--picture arm.jpg: the name does not end in .png"),
-        (("--video", "arm.avi"), "--video arm.avi: the name does not end in .mp4"),
-        (("--video", "-"), "--video -: the name does not end in .mp4"),
+        (("--out-picture", "arm.jpg"), "--out-picture arm.jpg: the name does not end in .png"),
+        (("--out-video", "arm.avi"), "--out-video arm.avi: the name does not end in .mp4"),
+        (("--out-video", "-"), "--out-video -: the name does not end in .mp4"),
         (("--camera", "front"), "--camera, --size and --show belong to a picture"),
         (("--fps", "30"), "--fps 30: of which video"),
-        (("--video", "a.mp4", "--fps", "0"), "--fps 0: expected a whole number, 1 to 240"),
-        (("--video", "a.mp4", "--fps", "29.97"), "--fps 29.97: expected a whole number"),
-        (("--video", "a.mp4", "--fps", "fast"), "--fps 'fast': not a finite number"),
-        (("--video", "a.mp4", "--size", "161x120"), "width and height have to be even"),
-        (("--picture", "a.png", "--size", "1x1"), "--size 1x1: expected WIDTHxHEIGHT"),
-        (("--picture", "a.png", "--camera", "x"), 'no camera "x"'),
-        (("--picture", "no/such/a.png"), "a.png: cannot be written"),
+        (("--out-video", "a.mp4", "--fps", "0"), "--fps 0: expected a whole number, 1 to 240"),
+        (("--out-video", "a.mp4", "--fps", "29.97"), "--fps 29.97: expected a whole number"),
+        (("--out-video", "a.mp4", "--fps", "fast"), "--fps 'fast': not a finite number"),
+        (("--out-video", "a.mp4", "--size", "161x120"), "width and height have to be even"),
+        (("--out-picture", "a.png", "--size", "1x1"), "--size 1x1: expected WIDTHxHEIGHT"),
+        (("--out-picture", "a.png", "--camera", "x"), 'no camera "x"'),
+        (("--out-picture", "no/such/a.png"), "a.png: cannot be written"),
     ],
 )
 def test_simulate_refuses(
     refuses: Refuses, scene: Path, words: tuple[str, ...], because: str
 ) -> None:
-    refuses("simulate", scene, *RAISE, "--trace", "t.csv", *words, because=(literal(because),))
+    refuses("simulate", scene, *RAISE, "--out", "t.csv", *words, because=(literal(because),))
 
 
 def test_two_results_in_one_file_are_refused(refuses: Refuses, scene: Path) -> None:
-    because = (literal("--trace and --video both want ./a.mp4"),)
-    refuses("simulate", scene, *RAISE, "--trace", "a.mp4", "--video", "./a.mp4", because=because)
+    because = (literal("--out and --out-video both want ./a.mp4"),)
+    refuses("simulate", scene, *RAISE, "--out", "a.mp4", "--out-video", "./a.mp4", because=because)
 
 
 def test_a_machine_that_cannot_draw_is_told_what_to_install(
@@ -450,8 +450,8 @@ def test_a_machine_that_cannot_draw_is_told_what_to_install(
     monkeypatch.setenv("GIRDLE_GL", "none")
     because = ("GIRDLE_GL=none", "libegl1 libgl1-mesa-dri", "libosmesa6")
     refuses("render", scene, "--out", "arm.png", because=because)
-    refuses("simulate", scene, *RAISE, "--picture", "arm.png", because=because)
-    refuses("simulate", scene, *RAISE, "--video", "arm.mp4", because=because)
+    refuses("simulate", scene, *RAISE, "--out-picture", "arm.png", because=because)
+    refuses("simulate", scene, *RAISE, "--out-video", "arm.mp4", because=because)
 
 
 @pytest.mark.parametrize(
@@ -499,7 +499,7 @@ def test_a_machine_without_ffmpeg_is_told_what_to_install(
 ) -> None:
     monkeypatch.setenv("PATH", "")
     because = ("no ffmpeg in PATH", "apt-get install ffmpeg")
-    refuses("simulate", scene, *RAISE, "--video", "arm.mp4", because=because)
+    refuses("simulate", scene, *RAISE, "--out-video", "arm.mp4", because=because)
 
 
 def test_what_cannot_be_drawn_leaves_the_earlier_file(
@@ -515,7 +515,7 @@ def test_all_else_works_where_nothing_draws(
     girdle_fine: Girdle, scene: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("GIRDLE_GL", "none")
-    girdle_fine("simulate", scene, *RAISE, "--trace", "t.csv")
+    girdle_fine("simulate", scene, *RAISE, "--out", "t.csv")
 
 
 # --- What doctor says -----------------------------------------------------------------------------

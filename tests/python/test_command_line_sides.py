@@ -26,7 +26,7 @@ ASSEMBLIES: dict[str, tuple[str, ...]] = {
 POSITION = ("--actuation", "position")
 
 # A short raise: what is asked is which words do what, not how the arm moves.
-RAISE = ("--raise", "0:60", "--seconds", "0.02")
+RAISE = ("--elevation", "0:60", "--seconds", "0.02")
 STEPS = 10
 SINGULAR = {"right": "shoulder", "left": "shoulder", "both": "shoulders"}
 
@@ -172,7 +172,7 @@ def test_the_trace_is_of_the_side_named(
 ) -> None:
     scene = models("--side", "both", *ASSEMBLIES[assembly])
     traces = {
-        side: rows_of(girdle_fine("simulate", scene, *RAISE, "--trace", "-", *words).text)
+        side: rows_of(girdle_fine("simulate", scene, *RAISE, "--out", "-", *words).text)
         for side, words in (("", ()), ("right", ("--side", "right")), ("left", ("--side", "left")))
     }
     assert traces[""] == traces["right"]
@@ -190,7 +190,7 @@ def test_a_side_that_the_model_lacks_is_refused(
 ) -> None:
     scene = models("--side", made)
     refuses(
-        *("simulate", scene, *RAISE, "--side", asked, "--trace", "trace.csv"),
+        *("simulate", scene, *RAISE, "--side", asked, "--out", "trace.csv"),
         because=(f"has no {asked} shoulder", "girdle generate --side"),
     )
 
@@ -202,7 +202,7 @@ def test_a_trace_is_of_one_side(refuses: Refuses, models: Callable[..., Path]) -
     )
 
 
-# --- simulate --controls -------------------------------------------------------------------------
+# --- simulate --out-controls -------------------------------------------------------------------------
 
 
 def actuators_of(scene: Path) -> list[str]:
@@ -218,7 +218,7 @@ def test_controls_have_a_column_for_every_servo_in_its_order(
     slides = ("st_anterior", "st_superior", "st_lateral")
     columns = [name + ("_m" if name.startswith(slides) else "_rad") for name in servos]
     for scene in (models(*words), models(*words, *POSITION)):
-        girdle_fine("simulate", scene, *RAISE, "--controls", "controls.csv")
+        girdle_fine("simulate", scene, *RAISE, "--out-controls", "controls.csv")
         text = (tmp_path / "controls.csv").read_text()
         assert text.splitlines()[0].split(",") == ["time_s", *columns]
         rows = rows_of(text)
@@ -231,7 +231,7 @@ def test_the_plugin_and_the_servos_write_the_same_controls(
     girdle_fine: Girdle, models: Callable[..., Path]
 ) -> None:
     for assembly in ASSEMBLIES.values():
-        words = (*RAISE, "--controls", "-")
+        words = (*RAISE, "--out-controls", "-")
         plugin, position = (
             rows_of(girdle_fine("simulate", models(*assembly, *kind), *words).text)
             for kind in ((), POSITION)
@@ -242,7 +242,7 @@ def test_the_plugin_and_the_servos_write_the_same_controls(
 
 
 def test_controls_to_a_file_are_said(girdle_fine: Girdle, generated: Path) -> None:
-    text = girdle_fine("simulate", generated / "scene.xml", *RAISE, "--controls", "c.csv").text
+    text = girdle_fine("simulate", generated / "scene.xml", *RAISE, "--out-controls", "c.csv").text
     assert text.endswith("controls  c.csv\n")
 
 
@@ -250,8 +250,8 @@ def test_controls_to_standard_output_are_all_of_it(
     girdle_fine: Girdle, generated: Path, tmp_path: Path
 ) -> None:
     scene = generated / "scene.xml"
-    text = girdle_fine("simulate", scene, *RAISE, "--controls", "-").text
-    girdle_fine("simulate", scene, *RAISE, "--controls", "c.csv")
+    text = girdle_fine("simulate", scene, *RAISE, "--out-controls", "-").text
+    girdle_fine("simulate", scene, *RAISE, "--out-controls", "c.csv")
     assert text == (tmp_path / "c.csv").read_text()
 
 
@@ -260,24 +260,24 @@ def test_json_names_the_file_of_the_controls(
 ) -> None:
     scene = generated / "scene.xml"
     words = ("simulate", scene, *RAISE, "--json")
-    answer = json.loads(girdle_fine(*words, "--controls", "c.csv", "--trace", "t.csv").text)
+    answer = json.loads(girdle_fine(*words, "--out-controls", "c.csv", "--out", "t.csv").text)
     assert (answer["controls"], answer["trace"]) == ("c.csv", "t.csv")
     assert len((tmp_path / "c.csv").read_text().splitlines()) == answer["rows"] + 1
     assert json.loads(girdle_fine(*words).text)["controls"] is None
 
 
 REFUSED_CONTROLS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
-    "with json": (("--controls", "-", "--json"), ("--controls -", "standard output")),
-    "with a trace": (("--controls", "-", "--trace", "-"), ("--controls -", "standard output")),
-    "into no folder": (("--controls", "absent/c.csv"), ("absent/c.csv",)),
-    "into a folder": (("--controls", "."), (r"\.",)),
+    "with json": (("--out-controls", "-", "--json"), ("--out-controls -", "standard output")),
+    "with a trace": (("--out-controls", "-", "--out", "-"), ("--out-controls -", "standard output")),
+    "into no folder": (("--out-controls", "absent/c.csv"), ("absent/c.csv",)),
+    "into a folder": (("--out-controls", "."), (r"\.",)),
     "over the trace": (
-        ("--controls", "same.csv", "--trace", "same.csv"),
-        ("same.csv", "--trace", "--controls"),
+        ("--out-controls", "same.csv", "--out", "same.csv"),
+        ("same.csv", "--out", "--out-controls"),
     ),
     "over the trace by another name": (
-        ("--controls", "./same.csv", "--trace", "same.csv"),
-        ("same.csv", "--trace", "--controls"),
+        ("--out-controls", "./same.csv", "--out", "same.csv"),
+        ("same.csv", "--out", "--out-controls"),
     ),
 }
 
@@ -296,8 +296,8 @@ def test_a_trace_is_not_written_either_where_the_controls_cannot_be(
 ) -> None:
     (tmp_path / "trace.csv").write_text("earlier\n")
     refuses(
-        *("simulate", generated / "scene.xml", *RAISE, "--trace", "trace.csv"),
-        *("--controls", "absent/c.csv"),
+        *("simulate", generated / "scene.xml", *RAISE, "--out", "trace.csv"),
+        *("--out-controls", "absent/c.csv"),
         because=("absent/c.csv",),
     )
 
@@ -309,7 +309,7 @@ def test_offsets_of_servos_follow_the_motion(
     (tmp_path / "shrug.csv").write_text(
         "time_s,elevation_deg,plane_deg,shrug_deg\n0,60,40,0\n0.02,60,40,8\n"
     )
-    words = ("--motion", "shrug.csv", "--controls", "-")
+    words = ("--in", "shrug.csv", "--out-controls", "-")
     rows = rows_of(girdle_fine("simulate", models(*POSITION), *words).text)
     offsets = rows_of(girdle_fine("simulate", models("--offsets"), *words).text)
     assert rows[-1]["sc_elevation_r_rad"] < rows[0]["sc_elevation_r_rad"] - 0.1
@@ -320,7 +320,7 @@ def test_offsets_of_servos_follow_the_motion(
 def test_a_model_with_servos_follows_the_rhythm_that_is_said(
     girdle_fine: Girdle, models: Callable[..., Path]
 ) -> None:
-    words = ("--raise", "20:60", "--seconds", "0.02", "--controls", "-")
+    words = ("--elevation", "20:60", "--seconds", "0.02", "--out-controls", "-")
     published = ("--interpolation", "squad", "--closure", "table")
     said = rows_of(girdle_fine("simulate", models(*POSITION), *words, *published).text)
     plugin = rows_of(girdle_fine("simulate", models(*published), *words).text)
@@ -338,7 +338,7 @@ def test_a_motion_that_the_program_does_not_finish_leaves_no_half_written_contro
     )
     (tmp_path / "c.csv").write_text("earlier\n")
     refuses(
-        *("simulate", generated / "scene.xml", "--motion", "shrug.csv", "--controls", "c.csv"),
+        *("simulate", generated / "scene.xml", "--in", "shrug.csv", "--out-controls", "c.csv"),
         because=("shrug is commanded", "girdle generate --offsets"),
     )
     assert os.listdir(tmp_path).count("c.csv") == 1
@@ -351,7 +351,7 @@ def test_controls_are_not_written_of_a_model_that_feeds_forward(
     assert girdle("generate", "--rates", "--out", tmp_path).code == 0
     controls = tmp_path / "controls.csv"
     finished = girdle(
-        "simulate", tmp_path / "scene.xml", "--raise", "0:60", "--controls", controls
+        "simulate", tmp_path / "scene.xml", "--elevation", "0:60", "--out-controls", controls
     )
     assert finished.code == 2
     assert "without --rates" in finished.message

@@ -73,14 +73,14 @@ def scene(generated: Path) -> Path:
     return generated / SCENE_FILE
 
 
-RAISE = ("--raise", "15:120", "--plane", "40", "--seconds", "0.5")
+RAISE = ("--elevation", "15:120", "--plane", "40", "--seconds", "0.5")
 
 
 # --- The trace -----------------------------------------------------------------------------------
 
 
 def test_the_trace_has_its_columns_in_order(girdle_fine: Girdle, scene: Path) -> None:
-    text = girdle_fine("simulate", scene, *RAISE, "--trace", "-").text
+    text = girdle_fine("simulate", scene, *RAISE, "--out", "-").text
     assert text.splitlines()[0].split(",") == TRACE_COLUMNS
 
 
@@ -90,7 +90,7 @@ def test_the_trace_has_a_row_for_every_step_and_one_for_the_start(
 ) -> None:
     step_s = timestep_s(scene.parent / MODEL_FILE)
     text = girdle_fine(
-        "simulate", scene, "--raise", "15:120", "--seconds", seconds, "--trace", "-"
+        "simulate", scene, "--elevation", "15:120", "--seconds", seconds, "--out", "-"
     ).text
     times_s = [row["time_s"] for row in read_trace(text)]
     expected_s = [i * step_s for i in range(round(float(seconds) / step_s) + 1)]
@@ -101,20 +101,20 @@ def test_the_rows_follow_the_models_own_time_step(
     girdle_fine: Girdle, write_model: WriteModel
 ) -> None:
     scene = write_model(lambda root: find_element(root, "option").set("timestep", "0.005"))
-    rows = read_trace(girdle_fine("simulate", scene, *RAISE, "--trace", "-").text)
+    rows = read_trace(girdle_fine("simulate", scene, *RAISE, "--out", "-").text)
     assert len(rows) == 101
     assert rows[1]["time_s"] == pytest.approx(0.005, abs=ROUNDING)
 
 
 def test_the_arm_starts_on_its_targets(girdle_fine: Girdle, scene: Path) -> None:
-    first = read_trace(girdle_fine("simulate", scene, *RAISE, "--trace", "-").text)[0]
+    first = read_trace(girdle_fine("simulate", scene, *RAISE, "--out", "-").text)[0]
     targets_deg = {coordinate: first[f"target_{coordinate}_deg"] for coordinate in COORDINATES}
     angles_deg = {coordinate: first[f"{coordinate}_deg"] for coordinate in COORDINATES}
     assert angles_deg == pytest.approx(targets_deg, abs=ROUNDING)
 
 
 def test_the_quaternions_of_the_trace_are_rotations(girdle_fine: Girdle, scene: Path) -> None:
-    for row in read_trace(girdle_fine("simulate", scene, *RAISE, "--trace", "-").text):
+    for row in read_trace(girdle_fine("simulate", scene, *RAISE, "--out", "-").text):
         for bone in BONES:
             norm = math.hypot(*(row[f"{bone}_q{component}"] for component in "wxyz"))
             assert norm == pytest.approx(1.0, abs=UNIT), (bone, row["time_s"])
@@ -126,7 +126,7 @@ def test_the_quaternions_of_the_trace_are_rotations(girdle_fine: Girdle, scene: 
 def test_the_bones_of_the_trace_meet_at_their_joints(
     girdle_fine: Girdle, scene: Path, parent: str, child: str
 ) -> None:
-    for row in read_trace(girdle_fine("simulate", scene, *RAISE, "--trace", "-").text):
+    for row in read_trace(girdle_fine("simulate", scene, *RAISE, "--out", "-").text):
         at_parent, at_child = ([row[f"{s}_{c}_m"] for c in "xyz"] for s in (parent, child))
         assert math.dist(at_parent, at_child) < UNIT, row["time_s"]
 
@@ -142,8 +142,8 @@ def commands_deg(rows: list[dict[str, float]], column: str) -> list[float]:
 def test_a_raise_runs_from_one_elevation_to_the_other(
     girdle_fine: Girdle, scene: Path, low: str, high: str
 ) -> None:
-    motion = ("--raise", f"{low}:{high}", "--plane", "40", "--seconds", "0.5")
-    rows = read_trace(girdle_fine("simulate", scene, *motion, "--trace", "-").text)
+    motion = ("--elevation", f"{low}:{high}", "--plane", "40", "--seconds", "0.5")
+    rows = read_trace(girdle_fine("simulate", scene, *motion, "--out", "-").text)
     elevations_deg = commands_deg(rows, "elevation_deg")
     assert elevations_deg[0] == pytest.approx(float(low), abs=ROUNDING)
     assert elevations_deg[-1] == pytest.approx(float(high), abs=ROUNDING)
@@ -155,9 +155,9 @@ def test_a_raise_runs_from_one_elevation_to_the_other(
 def test_a_raise_is_in_the_frontal_plane_for_two_seconds_unless_told_otherwise(
     girdle_fine: Girdle, scene: Path
 ) -> None:
-    short = girdle_fine("simulate", scene, "--raise", "15:120", "--trace", "-").output
-    long = ("--raise", "15:120", "--plane", "0", "--seconds", "2")
-    assert girdle_fine("simulate", scene, *long, "--trace", "-").output == short
+    short = girdle_fine("simulate", scene, "--elevation", "15:120", "--out", "-").output
+    long = ("--elevation", "15:120", "--plane", "0", "--seconds", "2")
+    assert girdle_fine("simulate", scene, *long, "--out", "-").output == short
 
 
 MOTION = (
@@ -187,7 +187,7 @@ def test_a_motion_file_is_followed_straight_from_row_to_row(
     girdle_fine: Girdle, scene: Path, tmp_path: Path
 ) -> None:
     (tmp_path / "motion.csv").write_text(MOTION)
-    text = girdle_fine("simulate", scene, "--motion", "motion.csv", "--trace", "-").text
+    text = girdle_fine("simulate", scene, "--in", "motion.csv", "--out", "-").text
     rows = {round(row["time_s"], 6): row for row in read_trace(text)}
     expected_deg = {
         0.0: (20, 5, 0),
@@ -209,7 +209,7 @@ def test_a_motion_file_without_axial_turns_nothing(
     girdle_fine: Girdle, scene: Path, tmp_path: Path
 ) -> None:
     (tmp_path / "motion.csv").write_text("plane_deg,time_s,elevation_deg\n5,0,20\n15,0.1,40\n")
-    text = girdle_fine("simulate", scene, "--motion", "motion.csv", "--trace", "-").text
+    text = girdle_fine("simulate", scene, "--in", "motion.csv", "--out", "-").text
     rows = read_trace(text)
     assert {row["axial_deg"] for row in rows} == {0.0}
     assert rows[-1]["plane_deg"] == pytest.approx(15.0, abs=ROUNDING)
@@ -218,10 +218,10 @@ def test_a_motion_file_without_axial_turns_nothing(
 def test_the_commands_of_a_trace_are_a_motion_that_gives_the_same_angles(
     girdle_fine: Girdle, scene: Path, tmp_path: Path
 ) -> None:
-    trace = girdle_fine("simulate", scene, *RAISE, "--trace", "-").text
+    trace = girdle_fine("simulate", scene, *RAISE, "--out", "-").text
     motion = "\n".join(",".join(line.split(",")[:6]) for line in trace.splitlines())
     (tmp_path / "motion.csv").write_text(motion)
-    replayed = girdle_fine("simulate", scene, "--motion", "motion.csv", "--trace", "-").text
+    replayed = girdle_fine("simulate", scene, "--in", "motion.csv", "--out", "-").text
     for found, expected in zip(read_trace(replayed), read_trace(trace), strict=True):
         assert found == pytest.approx(expected, abs=ROUNDING)
 
@@ -230,9 +230,9 @@ def test_the_commands_of_a_trace_are_a_motion_that_gives_the_same_angles(
 
 
 def test_two_runs_give_the_same_bytes(girdle_fine: Girdle, scene: Path, tmp_path: Path) -> None:
-    first = girdle_fine("simulate", scene, *RAISE, "--trace", "trace.csv")
+    first = girdle_fine("simulate", scene, *RAISE, "--out", "trace.csv")
     first_trace = (tmp_path / "trace.csv").read_bytes()
-    second = girdle_fine("simulate", scene, *RAISE, "--trace", "trace.csv")
+    second = girdle_fine("simulate", scene, *RAISE, "--out", "trace.csv")
     assert second.output == first.output
     assert (tmp_path / "trace.csv").read_bytes() == first_trace
 
@@ -240,15 +240,15 @@ def test_two_runs_give_the_same_bytes(girdle_fine: Girdle, scene: Path, tmp_path
 def test_a_trace_on_standard_output_is_alone_there(
     girdle_fine: Girdle, scene: Path, tmp_path: Path
 ) -> None:
-    girdle_fine("simulate", scene, *RAISE, "--trace", "trace.csv")
-    printed = girdle_fine("simulate", scene, *RAISE, "--trace", "-").output
+    girdle_fine("simulate", scene, *RAISE, "--out", "trace.csv")
+    printed = girdle_fine("simulate", scene, *RAISE, "--out", "-").output
     assert printed == (tmp_path / "trace.csv").read_bytes()
 
 
 def test_the_summary_tells_what_the_trace_holds(
     girdle_fine: Girdle, scene: Path, tmp_path: Path
 ) -> None:
-    options = (*RAISE, "--trace", "trace.csv", "--json")
+    options = (*RAISE, "--out", "trace.csv", "--json")
     summary = json.loads(girdle_fine("simulate", scene, *options).text)
     rows = read_trace((tmp_path / "trace.csv").read_text())
     errors_deg = [
@@ -285,41 +285,41 @@ def test_without_a_trace_no_file_is_written(
 
 
 NO_MOTIONS: list[tuple[tuple[str, ...], tuple[str, ...]]] = [
-    ((), ("--raise FROM:TO", "--motion FILE")),
-    (("--raise", "15:120", "--motion", "motion.csv"), ("--raise FROM:TO", "--motion FILE")),
-    (("--raise", "15"), ("--raise '15'", "15:120")),
-    (("--raise", ""), ("--raise", "empty|15:120")),
-    (("--raise", "15-120"), ("--raise '15-120'", "15:120")),
+    ((), ("--elevation FROM:TO", "--in FILE")),
+    (("--elevation", "15:120", "--in", "motion.csv"), ("--elevation FROM:TO", "--in FILE")),
+    (("--elevation", "15"), ("--elevation '15'", "15:120")),
+    (("--elevation", ""), ("--elevation", "empty|15:120")),
+    (("--elevation", "15-120"), ("--elevation '15-120'", "15:120")),
     # The fix is a whole FROM:TO: one number would be refused in its turn.
-    (("--raise", "15:12O"), ("--raise", "12O", "15:120")),
-    (("--raise", "l5:120"), ("--raise", "l5", "15:120")),
-    (("--raise", "15:nan"), ("--raise", "nan", "15:120")),
-    (("--raise", "-15:120"), ("--raise", "-15: elevation counts from 0", "--convention isb")),
-    (("--raise", "15:181"), ("--raise", "181: expected 0 to 180")),
-    (("--raise", ":"), ("--raise", "15:120")),
-    (("--raise", "15:60:120"), ("--raise", "60:120", "15:120")),
+    (("--elevation", "15:12O"), ("--elevation", "12O", "15:120")),
+    (("--elevation", "l5:120"), ("--elevation", "l5", "15:120")),
+    (("--elevation", "15:nan"), ("--elevation", "nan", "15:120")),
+    (("--elevation", "-15:120"), ("--elevation", "-15: elevation counts from 0", "--convention isb")),
+    (("--elevation", "15:181"), ("--elevation", "181: expected 0 to 180")),
+    (("--elevation", ":"), ("--elevation", "15:120")),
+    (("--elevation", "15:60:120"), ("--elevation", "60:120", "15:120")),
     # As a motion file may not hold.
-    (("--raise", "1e300:120"), ("--raise", "1e300", "180")),
-    (("--raise", "15:120", "--plane", "1e300"), ("--plane 1e300", "-3600 to 3600")),
-    (("--raise", "15:120", "--seconds", "3601"), ("--seconds 3601", "3600", "--longest")),
-    (("--raise", "15:120", "--angles", "rad"), ("--angles rad", "of a file")),
-    (("--motion", "motion.csv", "--longest", "0.3"), ("motion.csv:5: ", "at most 0.3", "--longest")),
-    (("--motion", "motion.csv", "--longest", "0"), ("--longest 0", "more than 0")),
-    (("--motion", "motion.csv", "--longest", "1e9"), ("--longest 1e9", "a year")),
-    (("--raise", "15:120", "--plane", "4O"), ("--plane '4O'", "such as --plane")),
-    (("--raise", "15:120", "--plane", "inf"), ("--plane 'inf'", "such as --plane")),
-    (("--raise", "15:120", "--plane", ""), ("--plane", "empty|such as --plane")),
-    (("--raise", "15:120", "--seconds", "two"), ("--seconds 'two'", "such as --seconds")),
-    (("--raise", "15:120", "--seconds", "nan"), ("--seconds 'nan'", "such as --seconds")),
-    (("--raise", "15:120", "--seconds", "0"), ("--seconds 0", "more than 0")),
-    (("--raise", "15:120", "--seconds", "-2"), ("--seconds -2", "more than 0")),
-    (("--raise", "15:120", "--seconds", "1e9"), ("--seconds 1e9", "at most")),
+    (("--elevation", "1e300:120"), ("--elevation", "1e300", "180")),
+    (("--elevation", "15:120", "--plane", "1e300"), ("--plane 1e300", "-3600 to 3600")),
+    (("--elevation", "15:120", "--seconds", "3601"), ("--seconds 3601", "3600", "--longest")),
+    (("--elevation", "15:120", "--angles", "rad"), ("--angles rad", "of a file")),
+    (("--in", "motion.csv", "--longest", "0.3"), ("motion.csv:5: ", "at most 0.3", "--longest")),
+    (("--in", "motion.csv", "--longest", "0"), ("--longest 0", "more than 0")),
+    (("--in", "motion.csv", "--longest", "1e9"), ("--longest 1e9", "a year")),
+    (("--elevation", "15:120", "--plane", "4O"), ("--plane '4O'", "such as --plane")),
+    (("--elevation", "15:120", "--plane", "inf"), ("--plane 'inf'", "such as --plane")),
+    (("--elevation", "15:120", "--plane", ""), ("--plane", "empty|such as --plane")),
+    (("--elevation", "15:120", "--seconds", "two"), ("--seconds 'two'", "such as --seconds")),
+    (("--elevation", "15:120", "--seconds", "nan"), ("--seconds 'nan'", "such as --seconds")),
+    (("--elevation", "15:120", "--seconds", "0"), ("--seconds 0", "more than 0")),
+    (("--elevation", "15:120", "--seconds", "-2"), ("--seconds -2", "more than 0")),
+    (("--elevation", "15:120", "--seconds", "1e9"), ("--seconds 1e9", "at most")),
     # Neither means anything to a motion file, which has its own.
-    (("--motion", "motion.csv", "--seconds", "3"), ("--seconds", "--motion")),
-    (("--motion", "motion.csv", "--plane", "40"), ("--plane", "--motion")),
-    (("--motion", "absent.csv"), ("absent.csv: ", "Check")),
-    (("--motion", "there"), ("there", "folder|directory")),
-    (("--motion", ""), ("--motion",)),
+    (("--in", "motion.csv", "--seconds", "3"), ("--seconds", "--in")),
+    (("--in", "motion.csv", "--plane", "40"), ("--plane", "--in")),
+    (("--in", "absent.csv"), ("absent.csv: ", "Check")),
+    (("--in", "there"), ("there", "folder|directory")),
+    (("--in", ""), ("--in",)),
 ]
 
 
@@ -335,7 +335,7 @@ def test_a_motion_that_is_not_one_is_refused(
 ) -> None:
     (tmp_path / "motion.csv").write_text(MOTION)
     (tmp_path / "there").mkdir()
-    refuses("simulate", scene, *words, "--trace", "trace.csv", because=patterns)
+    refuses("simulate", scene, *words, "--out", "trace.csv", because=patterns)
 
 
 @dataclass(frozen=True)
@@ -378,7 +378,7 @@ def test_a_mistake_in_a_motion_file_is_refused_with_file_and_line(
 ) -> None:
     (tmp_path / "motion.csv").write_text(wrong.change(MOTION))
     refuses(
-        *("simulate", scene, "--motion", "motion.csv", "--trace", "trace.csv"),
+        *("simulate", scene, "--in", "motion.csv", "--out", "trace.csv"),
         because=(f"motion.csv:{wrong.line}: ", *wrong.patterns),
     )
 
@@ -389,8 +389,8 @@ def test_a_mistake_in_a_motion_file_is_refused_with_file_and_line(
 def test_the_trace_says_how_far_each_command_is_from_measured_ones(
     girdle_fine: Girdle, scene: Path
 ) -> None:
-    motion = ("--raise", "0:150", "--plane", "0", "--seconds", "0.2")
-    rows = read_trace(girdle_fine("simulate", scene, *motion, "--trace", "-").text)
+    motion = ("--elevation", "0:150", "--plane", "0", "--seconds", "0.2")
+    rows = read_trace(girdle_fine("simulate", scene, *motion, "--out", "-").text)
     for row in rows:
         elevation_deg = row["elevation_deg"]
         expected_deg = max(15 - elevation_deg, elevation_deg - 120, 0)
@@ -400,20 +400,20 @@ def test_the_trace_says_how_far_each_command_is_from_measured_ones(
 def test_the_summary_says_that_a_motion_leaves_what_was_measured(
     girdle_fine: Girdle, scene: Path
 ) -> None:
-    high = ("simulate", scene, "--raise", "90:150", "--plane", "0", "--seconds", "0.2")
+    high = ("simulate", scene, "--elevation", "90:150", "--plane", "0", "--seconds", "0.2")
     summary = json.loads(girdle_fine(*high, "--json").text)
     assert summary["worst_distance_deg"] == pytest.approx(30, abs=ROUNDING)
     assert summary["clamped_rows"] == 0
     assert "up to 30 deg from measured positions" in girdle_fine(*high).text
-    inside = ("simulate", scene, "--raise", "30:90", "--plane", "40", "--seconds", "0.2")
+    inside = ("simulate", scene, "--elevation", "30:90", "--plane", "40", "--seconds", "0.2")
     assert json.loads(girdle_fine(*inside, "--json").text)["worst_distance_deg"] == 0
     assert "measured" not in girdle_fine(*inside).text
 
 
 def test_commands_out_of_reach_are_counted(girdle_fine: Girdle, scene: Path) -> None:
     """In plane -30 an arm goes all the way up, in plane -31 it does not."""
-    motion = ("simulate", scene, "--raise", "60:175", "--plane", "-31", "--seconds", "0.2")
-    rows = read_trace(girdle_fine(*motion, "--trace", "-").text)
+    motion = ("simulate", scene, "--elevation", "60:175", "--plane", "-31", "--seconds", "0.2")
+    rows = read_trace(girdle_fine(*motion, "--out", "-").text)
     beyond = sum(row["used_plane_deg"] > -31 + ROUNDING for row in rows)
     assert 0 < beyond < len(rows)
     assert json.loads(girdle_fine(*motion, "--json").text)["clamped_rows"] == beyond
@@ -438,7 +438,7 @@ def test_a_motion_file_may_shrug_and_protract(
 ) -> None:
     """The targets are what solve says of the same commands."""
     (tmp_path / "motion.csv").write_text(SHRUG)
-    motion = ("--motion", "motion.csv", "--trace", "-")
+    motion = ("--in", "motion.csv", "--out", "-")
     rows = read_trace(girdle_fine("simulate", scene_with_offsets, *motion).text)
     for share, row in ((0, rows[0]), (0.5, rows[50]), (1, rows[-1])):
         assert row["shrug_deg"] == pytest.approx(10 * share, abs=ROUNDING)
@@ -457,7 +457,7 @@ def test_offsets_that_end_at_a_joints_range_are_counted(
     for elevation_deg, plane_deg, clamped_rows in ((150, 0, 11), (10, 90, 0)):
         place = f"{elevation_deg},{plane_deg},35\n"
         (tmp_path / "motion.csv").write_text(f"{header}0,{place}0.02,{place}")
-        words = ("simulate", scene_with_offsets, "--motion", "motion.csv", "--json")
+        words = ("simulate", scene_with_offsets, "--in", "motion.csv", "--json")
         assert json.loads(girdle_fine(*words).text)["clamped_rows"] == clamped_rows
         pose = (f"--elevation={elevation_deg}", f"--plane={plane_deg}", "--shrug=35", "--json")
         clamped = json.loads(girdle_fine("solve", *pose).text)["clamped"]
@@ -474,7 +474,7 @@ def test_the_offsets_that_were_left_are_those_of_solve(
     pose = ("--elevation=150", "--plane=0", "--shrug=35", "--protraction=4", "--json")
     left_deg = json.loads(girdle_fine("solve", *pose).text)["used"]
     assert left_deg["shrug_deg"] < 30
-    words = ("simulate", scene_with_offsets, "--motion", "motion.csv", "--trace", "-")
+    words = ("simulate", scene_with_offsets, "--in", "motion.csv", "--out", "-")
     for text in (girdle_fine(*words).text, girdle_fine("solve", "--in", "motion.csv").text):
         for row in csv.DictReader(text.splitlines()):
             used_deg = {offset: float(row[f"used_{offset}"]) for offset in OFFSETS}
@@ -486,11 +486,11 @@ def test_a_column_of_zeros_needs_no_command(
 ) -> None:
     zeros = SHRUG.replace(",10,-4", ",0,0")
     (tmp_path / "motion.csv").write_text(zeros)
-    girdle_fine("simulate", scene, "--motion", "motion.csv")
+    girdle_fine("simulate", scene, "--in", "motion.csv")
 
 
 def test_without_offsets_their_columns_are_zero(girdle_fine: Girdle, scene: Path) -> None:
-    rows = read_trace(girdle_fine("simulate", scene, *RAISE, "--trace", "-").text)
+    rows = read_trace(girdle_fine("simulate", scene, *RAISE, "--out", "-").text)
     assert {row[name] for row in rows for name in OFFSETS} == {0.0}
 
 
@@ -502,7 +502,7 @@ def test_an_offset_needs_a_model_with_a_command_for_it(
         f"time_s,elevation_deg,plane_deg,{name}_deg\n0,30,20,0\n0.2,60,40,5\n"
     )
     because = (re.escape(str(scene)), f'no actuator "{name}_r"', "girdle generate --offsets")
-    words = ("--motion", "motion.csv", "--trace", "trace.csv")
+    words = ("--in", "motion.csv", "--out", "trace.csv")
     refuses("simulate", scene, *words, because=because)
 
 
@@ -522,7 +522,7 @@ def test_an_offset_that_no_clavicle_makes_is_refused_with_its_line(
         f"time_s,elevation_deg,plane_deg,{name}_deg\n0,30,20,0\n0.2,60,40,{value}\n"
     )
     because = ("motion.csv:3: ", f"{name}_deg is {value}", bounds)
-    words = ("--motion", "motion.csv", "--trace", "trace.csv")
+    words = ("--in", "motion.csv", "--out", "trace.csv")
     refuses("simulate", scene_with_offsets, *words, because=because)
 
 
@@ -544,16 +544,16 @@ def test_a_model_that_moves_by_another_rhythm_is_refused(
     refuses: Refuses, scene: Path, options: tuple[str, ...], what: str
 ) -> None:
     because = (re.escape(str(scene)), f"another {what}", "girdle generate")
-    refuses("simulate", scene, *RAISE, "--trace", "trace.csv", *options, because=because)
+    refuses("simulate", scene, *RAISE, "--out", "trace.csv", *options, because=because)
 
 
 def test_a_model_that_moves_by_the_rhythm_named_is_simulated(
     girdle_fine: Girdle, scene: Path
 ) -> None:
     options = ("--interpolation", "smooth", "--closure", "exact", "--range", "whole")
-    table = ("--table", "destepped")
-    plain = girdle_fine("simulate", scene, *RAISE, "--trace", "-").output
-    assert girdle_fine("simulate", scene, *RAISE, "--trace", "-", *options, *table).output == plain
+    table = ("--table", "smoothed")
+    plain = girdle_fine("simulate", scene, *RAISE, "--out", "-").output
+    assert girdle_fine("simulate", scene, *RAISE, "--out", "-", *options, *table).output == plain
 
 
 # --- Simulations that break off ------------------------------------------------------------------
@@ -573,5 +573,5 @@ def test_a_simulation_that_breaks_off_leaves_no_half_written_trace(
     scene = write_model(unstable)
     if before is not None:
         (tmp_path / "trace.csv").write_bytes(before)
-    words = ("--raise", "15:120", "--trace", "trace.csv")
+    words = ("--elevation", "15:120", "--out", "trace.csv")
     refuses("simulate", scene, *words, because=(re.escape(str(scene)), "at 0", "unstable"))

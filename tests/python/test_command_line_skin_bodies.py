@@ -154,7 +154,7 @@ def test_a_file_of_a_body_that_has_no_end_is_refused(refuses: Refuses, tmp_path:
         ("--body-mass", "80"),
         ("--clavicle-length", "0.16"),
         ("--anatomy", str(SOURCE / "data/landmarks.csv")),
-        ("--thorax", str(SOURCE / "data/thorax_ellipsoids.csv")),
+        ("--ellipsoids", str(SOURCE / "data/thorax_ellipsoids.csv")),
     ],
     ids=lambda options: options[0],
 )

@@ -30,7 +30,7 @@ from reference_rhythm import (
 )
 from reference_smooth import SmoothRhythm
 
-DESTEPPED = DATABASE.with_name("ludewig2009_destepped.csv")
+DESTEPPED = DATABASE.with_name("ludewig2009_smoothed.csv")
 POSTURES = DATABASE.with_name("postures.csv")
 
 # Two implementations in double precision, one of which takes differences.
@@ -81,7 +81,7 @@ def humerus(angles_deg: dict[str, float]) -> Array:
 
 
 @pytest.fixture(scope="module")
-def destepped() -> SmoothRhythm:
+def smoothed() -> SmoothRhythm:
     return SmoothRhythm(read_database(DESTEPPED))
 
 
@@ -106,13 +106,13 @@ def reference_angles_deg(
 
 @pytest.mark.parametrize(("elevation", "plane"), POSES_DEG)
 def test_unless_told_otherwise_it_is_smooth_and_exact_over_the_whole_range(
-    girdle_fine: Girdle, destepped: SmoothRhythm, elevation: float, plane: float
+    girdle_fine: Girdle, smoothed: SmoothRhythm, elevation: float, plane: float
 ) -> None:
     answer = solve(girdle_fine, elevation, plane)
     assert (answer["interpolation"], answer["closure"]) == ("smooth", "exact")
     assert answer["range"] == "whole"
     assert answer["clamped"] is False
-    expected_deg = reference_angles_deg(destepped, elevation, plane)
+    expected_deg = reference_angles_deg(smoothed, elevation, plane)
     assert answer["angles_deg"] == pytest.approx(expected_deg, abs=AGREEMENT_DEG)
 
 
@@ -155,10 +155,10 @@ def test_arms_swing_back_as_far_as_they_are_told_to(
 
 
 SAID = {
-    "smooth": ("--interpolation=smooth", "--closure=exact", "--range=whole", "--table=destepped"),
+    "smooth": ("--interpolation=smooth", "--closure=exact", "--range=whole", "--table=smoothed"),
     "smooth without a range": ("--interpolation=smooth", "--closure=exact"),
     "range alone": ("--range=whole",),
-    "table alone": ("--table=destepped",),
+    "table alone": ("--table=smoothed",),
 }
 
 
@@ -195,7 +195,7 @@ def test_squad_and_slerp_use_the_measured_table(
     expected_deg = reference.solve(112, 33, interpolation).angles_deg
     assert answer["angles_deg"] == pytest.approx(expected_deg, abs=AGREEMENT_DEG)
     assert solve(girdle_fine, 112, 33, *options, "--table", "measured") == answer
-    assert solve(girdle_fine, 112, 33, *options, "--table", "destepped") != answer
+    assert solve(girdle_fine, 112, 33, *options, "--table", "smoothed") != answer
 
 
 @pytest.mark.parametrize("interpolation", ["squad", "slerp"])
@@ -487,7 +487,7 @@ SMOOTH_POSES_DEG += [(100.0, 120.0), (165.0, 30.0)]
 def test_rates_stand_behind_all_other_columns(girdle_fine: Girdle) -> None:
     poses = b"elevation_deg,plane_deg\n60,30\n"
     plain = girdle_fine("solve", "--in", "-", stdin=poses).text.splitlines()
-    rates = girdle_fine("solve", "--in", "-", "--rates", stdin=poses).text.splitlines()
+    rates = girdle_fine("solve", "--in", "-", "--derivatives", stdin=poses).text.splitlines()
     assert rates[0] == ",".join([plain[0], *RATE_COLUMNS])
     assert rates[1].startswith(plain[1] + ",")
     assert len(rates[1].split(",")) == len(rates[0].split(","))
@@ -497,7 +497,7 @@ def test_rates_stand_behind_all_other_columns(girdle_fine: Girdle) -> None:
 def test_an_input_column_that_a_rate_is_called_is_refused(refuses: Refuses, column: str) -> None:
     poses = f"elevation_deg,plane_deg,{column}\n60,30,0\n".encode()
     because = ("standard input:1: ", f"'{column}' would stand twice", "Rename")
-    refuses("solve", "--in", "-", "--rates", because=because, stdin=poses)
+    refuses("solve", "--in", "-", "--derivatives", because=because, stdin=poses)
 
 
 OFFSETS = ("--axial=-7", "--shrug=6", "--protraction=4")
@@ -519,7 +519,7 @@ def test_the_derivatives_are_the_limits_of_differences(
 
     def derivatives(elevation: float, plane: float) -> tuple[Array, Array, Array]:
         """Angles (9), their first (9, 2) and second derivatives (9, 3)."""
-        answer = solve(girdle_fine, elevation, plane, *options, "--rates")
+        answer = solve(girdle_fine, elevation, plane, *options, "--derivatives")
         rows = answer["derivatives"]["angles"]
         assert list(rows) == list(COORDINATES)
         second = ("by_elevation_twice", "by_elevation_and_plane", "by_plane_twice")
@@ -543,13 +543,13 @@ def test_the_derivatives_are_the_limits_of_differences(
 
 
 def test_one_pose_has_the_velocities_of_the_rows_and_of_the_reference(
-    girdle_fine: Girdle, destepped: SmoothRhythm
+    girdle_fine: Girdle, smoothed: SmoothRhythm
 ) -> None:
     for elevation, plane in SMOOTH_POSES_DEG:
         pose = f"elevation_deg,plane_deg\n{elevation},{plane}\n".encode()
-        (row,) = read_rows(girdle_fine("solve", "--in", "-", "--rates", stdin=pose).text)
-        one = solve(girdle_fine, elevation, plane, "--rates")["derivatives"]["angular_velocity"]
-        expected = destepped.rates(np.array([elevation]), np.array([plane]))
+        (row,) = read_rows(girdle_fine("solve", "--in", "-", "--derivatives", stdin=pose).text)
+        one = solve(girdle_fine, elevation, plane, "--derivatives")["derivatives"]["angular_velocity"]
+        expected = smoothed.rates(np.array([elevation]), np.array([plane]))
         for joint in JOINT_SEQUENCES:
             for by in ("elevation", "plane"):
                 in_row = [float(row[f"{joint}_w_{by}_{axis}"]) for axis in "xyz"]
@@ -561,7 +561,7 @@ def test_second_derivatives_of_the_rotations_are_the_limits_of_differences(
     girdle_fine: Girdle,
 ) -> None:
     def velocities(elevation: float, plane: float) -> dict[str, dict[str, list[float]]]:
-        found = solve(girdle_fine, elevation, plane, *OFFSETS, "--rates")
+        found = solve(girdle_fine, elevation, plane, *OFFSETS, "--derivatives")
         velocity: dict[str, dict[str, list[float]]] = found["derivatives"]["angular_velocity"]
         return velocity
 
@@ -591,7 +591,7 @@ def test_second_derivatives_of_the_rotations_are_the_limits_of_differences(
 def test_where_a_command_is_clamped_nothing_changes_with_it(
     girdle_fine: Girdle, elevation: float, plane: float, by: str, range_: str
 ) -> None:
-    found = solve(girdle_fine, elevation, plane, "--rates", f"--range={range_}")["derivatives"]
+    found = solve(girdle_fine, elevation, plane, "--derivatives", f"--range={range_}")["derivatives"]
     assert {angle[f"by_{by}"] for angle in found["angles"].values()} == {0.0}
     assert [w[f"by_{by}"] for w in found["angular_velocity"].values()] == [[0.0] * 3] * 3
 
@@ -603,7 +603,7 @@ def test_where_a_command_is_clamped_nothing_changes_with_it(
 def test_an_angle_at_the_end_of_its_range_stays_there(
     girdle_fine: Girdle, options: str, coordinate: str
 ) -> None:
-    answer = solve(girdle_fine, 150, 0, options, "--rates")
+    answer = solve(girdle_fine, 150, 0, options, "--derivatives")
     assert answer["clamped"] is True
     found = answer["derivatives"]["angles"][coordinate]
     assert (found["by_elevation"], found["by_plane"]) == pytest.approx((0, 0), abs=ROUNDING_DEG)
@@ -611,10 +611,10 @@ def test_an_angle_at_the_end_of_its_range_stays_there(
 
 def test_the_text_has_a_table_of_rates(girdle_fine: Girdle) -> None:
     plain = girdle_fine("solve", *words(60, 30)).text
-    text = girdle_fine("solve", *words(60, 30), "--rates").text
+    text = girdle_fine("solve", *words(60, 30), "--derivatives").text
     assert text.startswith(plain)
     rows = re.findall(r"^(\w+) +(\S+) +([-\d.]+)$", text.removeprefix(plain), re.MULTILINE)
-    expected = solve(girdle_fine, 60, 30, "--rates")["derivatives"]["angles"]
+    expected = solve(girdle_fine, 60, 30, "--derivatives")["derivatives"]["angles"]
     assert [name for name, _, _ in rows] == list(COORDINATES)
     for name, by_elevation, by_plane in rows:
         found = (float(by_elevation), float(by_plane))
@@ -634,8 +634,8 @@ def test_without_rates_there_are_no_derivatives(girdle_fine: Girdle) -> None:
 def test_rates_need_an_interpolation_that_has_them(
     refuses: Refuses, poses: tuple[str, ...], interpolation: str
 ) -> None:
-    because = ("--rates", f"{interpolation} has no derivatives", "--interpolation smooth")
-    options = ("--interpolation", interpolation, "--rates")
+    because = ("--derivatives", f"{interpolation} has no derivatives", "--interpolation smooth")
+    options = ("--interpolation", interpolation, "--derivatives")
     stdin = b"elevation_deg,plane_deg\n60,30\n"
     refuses("solve", *poses, *options, because=because, stdin=stdin)
 
@@ -654,7 +654,7 @@ def relaxed_deg() -> dict[str, float]:
 def test_relaxed_is_the_measured_posture_with_the_arm_hanging(
     girdle_fine: Girdle, options: tuple[str, ...]
 ) -> None:
-    answer = json.loads(girdle_fine("solve", "--pose", "relaxed", "--json", *options).text)
+    answer = json.loads(girdle_fine("solve", "--posture", "relaxed", "--json", *options).text)
     found_deg = {c: answer["angles_deg"][c] for c in COORDINATES[:6]}
     assert answer["posture"] == "relaxed"
     assert found_deg == pytest.approx(relaxed_deg(), abs=ROUNDING_DEG)
@@ -665,9 +665,9 @@ def test_relaxed_is_the_measured_posture_with_the_arm_hanging(
 
 def test_a_posture_as_text_gives_every_angle_of_the_json(girdle_fine: Girdle) -> None:
     found = re.findall(
-        r"^(\w+) +(\S+) deg$", girdle_fine("solve", "--pose", "relaxed").text, re.MULTILINE
+        r"^(\w+) +(\S+) deg$", girdle_fine("solve", "--posture", "relaxed").text, re.MULTILINE
     )
-    answer = json.loads(girdle_fine("solve", "--pose", "relaxed", "--json").text)
+    answer = json.loads(girdle_fine("solve", "--posture", "relaxed", "--json").text)
     expected_deg = answer["angles_deg"]
     assert [name for name, _ in found] == list(COORDINATES)
     assert {name: float(text) for name, text in found} == pytest.approx(expected_deg, abs=TEXT)
@@ -675,20 +675,20 @@ def test_a_posture_as_text_gives_every_angle_of_the_json(girdle_fine: Girdle) ->
 
 @pytest.mark.parametrize("word", ["Relaxed", "rest", "abduction_90"])
 def test_an_unknown_posture_is_refused_with_the_known_one(refuses: Refuses, word: str) -> None:
-    refuses("solve", "--pose", word, because=(f"--pose {word}", "Choose one of: relaxed"))
+    refuses("solve", "--posture", word, because=(f"--posture {word}", "Choose one of: relaxed"))
 
 
 @pytest.mark.parametrize(
     "further",
     [
         *(("--elevation", "60"), ("--plane", "30"), ("--axial", "5"), ("--shrug", "5")),
-        *(("--protraction", "5"), ("--rates",), ("--in", "-"), ("--threads", "2")),
+        *(("--protraction", "5"), ("--derivatives",), ("--in", "-"), ("--threads", "2")),
     ],
     ids=" ".join,
 )
 def test_a_posture_says_all_of_the_arm(refuses: Refuses, further: tuple[str, ...]) -> None:
-    because = ("--pose", "Leave the other options .* away")
-    refuses("solve", "--pose", "relaxed", *further, because=because)
+    because = ("--posture", "Leave the other options .* away")
+    refuses("solve", "--posture", "relaxed", *further, because=because)
 
 
 # --- Sweeps --------------------------------------------------------------------------------------
@@ -723,7 +723,7 @@ def test_positions_of_a_sweep_are_written_as_they_would_be_typed(girdle_fine: Gi
 
 
 def test_a_sweep_takes_what_a_file_takes(girdle_fine: Girdle, tmp_path: Path) -> None:
-    options = ("--rates", "--table", "measured")
+    options = ("--derivatives", "--table", "measured")
     given = ("--shrug=5", "--protraction=-3", "--axial=4")
     girdle_fine("solve", "--elevation=30:60:15", "--plane=40", *given, *options, "--out", "map.csv")
     poses = (

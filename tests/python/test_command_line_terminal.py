@@ -30,7 +30,7 @@ LONG_TABLE = "elevation_deg,plane_deg\n" + "60,50\n" * LONG_ROWS
 
 LONG_WORK = {
     "solve": ("solve", "--in", "poses.csv", "--out", "angles.csv"),
-    "simulate": ("simulate", SCENE, "--raise", "15:120"),
+    "simulate": ("simulate", SCENE, "--elevation", "15:120"),
     "verify": ("verify", SCENE),
 }
 every_long_work = pytest.mark.parametrize("command", LONG_WORK.values(), ids=LONG_WORK.keys())
@@ -122,7 +122,7 @@ def test_a_terminal_changes_nothing_in_a_result_that_goes_to_a_file(
 
 @pytest.mark.parametrize(
     "command",
-    [*LONG_WORK.values(), ("solve", "--in", "poses.csv"), (*LONG_WORK["simulate"], "--trace", "-")],
+    [*LONG_WORK.values(), ("solve", "--in", "poses.csv"), (*LONG_WORK["simulate"], "--out", "-")],
     ids=[*LONG_WORK.keys(), "solve to the terminal", "simulate to the terminal"],
 )
 def test_a_result_on_the_terminal_is_free_of_progress(

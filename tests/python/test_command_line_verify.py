@@ -43,7 +43,7 @@ GROUPS = {
 JOINTS = ("SC", "AC", "GH")
 
 # What the default model moves by.
-DESTEPPED = DATABASE.with_name("ludewig2009_destepped.csv")
+DESTEPPED = DATABASE.with_name("ludewig2009_smoothed.csv")
 PUBLISHED = ("--interpolation", "squad", "--closure", "table")
 
 # The sizes of what is changed: small enough to be missed by the eye.
@@ -254,7 +254,7 @@ def test_a_model_that_says_no_table_is_held_against_the_one_that_is_named(
     """What it means is the default of its interpolation, with which it was made."""
     code, report = verify(girdle, write_model(say_no_table))
     assert (code, report.failed) == (0, set())
-    assert report.answer["rhythm"].endswith(", range whole, table destepped")
+    assert report.answer["rhythm"].endswith(", range whole, table smoothed")
 
 
 @pytest.mark.parametrize("interpolation", ["squad", pytest.param("slerp", marks=pytest.mark.numbers)])
@@ -266,11 +266,11 @@ def test_without_a_table_the_one_that_the_other_interpolation_uses_is_named(
     said = ("--interpolation", interpolation)
     _, unsaid = verify(girdle, scene, *said)
     _, measured = verify(girdle, scene, *said, "--table", "measured")
-    _, destepped = verify(girdle, scene, *said, "--table", "destepped")
+    _, smoothed = verify(girdle, scene, *said, "--table", "smoothed")
     expected = f"interpolation {interpolation}, closure exact, range clamp, table measured"
     assert unsaid.answer["rhythm"] == expected
     assert unsaid.answer == measured.answer
-    assert unsaid.answer["residuals"] != destepped.answer["residuals"]
+    assert unsaid.answer["residuals"] != smoothed.answer["residuals"]
 
 
 def test_a_table_that_the_model_says_stays_under_another_interpolation(
@@ -278,9 +278,9 @@ def test_a_table_that_the_model_says_stays_under_another_interpolation(
 ) -> None:
     scene = generated / SCENE_FILE
     _, own = verify(girdle, scene, "--interpolation", "squad")
-    _, destepped = verify(girdle, scene, "--interpolation", "squad", "--table", "destepped")
-    assert own.answer["rhythm"].endswith("table destepped")
-    assert own.answer == destepped.answer
+    _, smoothed = verify(girdle, scene, "--interpolation", "squad", "--table", "smoothed")
+    assert own.answer["rhythm"].endswith("table smoothed")
+    assert own.answer == smoothed.answer
 
 
 def lines_of(report: Report, group: str) -> dict[str, dict[str, Any]]:
@@ -415,7 +415,7 @@ LONE_LANDMARKS = (
     *(f"{name}_r" for name in ("TS", "AI", "AA", "PC", "ACJ", "GC", "EM", "EL")),
 )
 KEYFRAME_NAMES = (
-    *("rest", "relaxed", "abduction_30", "abduction_60", "abduction_90", "abduction_120"),
+    *("hanging", "relaxed", "abduction_30", "abduction_60", "abduction_90", "abduction_120"),
     *("abduction_150", "flexion_90", "across_90"),
 )
 
@@ -530,7 +530,7 @@ OTHER_RHYTHMS = {
         *(("--range", "clamp"), ("closure", "table")),
         ("--closure", "exact", "--range", "clamp"),
     ),
-    "measured instead of destepped": ((), ("table", "measured"), ("--table", "destepped")),
+    "measured instead of smoothed": ((), ("table", "measured"), ("--table", "smoothed")),
 }
 
 

@@ -491,5 +491,5 @@ def test_a_model_that_lacks_something_is_refused_with_its_name(
     because: tuple[str, ...],
 ) -> None:
     path = edited(options, edit)
-    words = ("--raise", "0:30", "--trace", "trace.csv") if verb == "simulate" else ()
+    words = ("--elevation", "0:30", "--out", "trace.csv") if verb == "simulate" else ()
     refuses(verb, path, *words, because=because)

@@ -114,8 +114,8 @@ def motion(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def simulated(program: Path, scene: Path, motion: Path, folder: Path) -> tuple[list[dict[str, str]], Array]:
     """The program's trace, and what it tells position servos, a row a step."""
     trace, controls = folder / "trace.csv", folder / "controls.csv"
-    results = ("--trace", trace, "--controls", controls)
-    words: list[str | Path] = ["simulate", scene, "--motion", motion, *results]
+    results = ("--out", trace, "--out-controls", controls)
+    words: list[str | Path] = ["simulate", scene, "--in", motion, *results]
     subprocess.run([program, *words], check=True, capture_output=True, timeout=PROGRAM_TIMEOUT_S)
     with trace.open() as file:
         rows = list(csv.DictReader(file))

@@ -53,7 +53,7 @@ def test_memory_that_is_used_up_is_not_called_bad_input(
 # the libraries of the machine.
 def test_memory_that_mujoco_lacks_is_not_called_bad_input(program: Path, tmp_path: Path) -> None:
     subprocess.run([program, "generate", "--out", tmp_path], capture_output=True, check=True)
-    command = ["simulate", "scene.xml", "--raise", "15:16", "--seconds", "0.01", "--trace", "-"]
+    command = ["simulate", "scene.xml", "--elevation", "15:16", "--seconds", "0.01", "--out", "-"]
     said = []
     for limit in range(40, 120, 4):
 
@@ -89,8 +89,8 @@ def strange_folder(program: Path, tmp_path_factory: pytest.TempPathFactory) -> b
     ("command", "file"),
     [
         (["generate", "--out"], b""),
-        (["simulate", "--raise", "15:16", "--seconds", "0.01", "--trace", "/dev/null"], b"/scene.xml"),
-        (["thorax", "--table"], b"/table.csv"),
+        (["simulate", "--elevation", "15:16", "--seconds", "0.01", "--out", "/dev/null"], b"/scene.xml"),
+        (["fit-thorax", "--table"], b"/table.csv"),
         (["verify"], b"/scene.xml"),
     ],
     ids=lambda value: value[0] if isinstance(value, list) else "",

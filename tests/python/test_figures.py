@@ -313,7 +313,7 @@ def test_only_slerp_turns_a_corner(page: Page) -> None:
 
 def test_jumps_of_velocity_are_those_of_continuity(page: Page, run_program: RunProgram) -> None:
     shown = table_by_row(page, "velocity_jumps")
-    jumps = json.loads(run_program("continuity", "--json"))["jumps"]
+    jumps = json.loads(run_program("smoothness", "--json"))["jumps"]
     assert len(shown) == len(jumps) == 6
     for line in jumps:
         expected = [line[joint]["velocity_deg_per_deg"] for joint in ("SC", "AC", "GH")]
@@ -475,7 +475,7 @@ def test_a_remark_stands_on_the_page(figures_without_gl: Path) -> None:
     assert NOTE in read_page(figures_without_gl).sections[""].text
 
 
-@pytest.mark.parametrize("verb", ["generate", "solve", "continuity"])
+@pytest.mark.parametrize("verb", ["generate", "solve", "smoothness"])
 def test_a_failing_program_is_reported_and_leaves_nothing(
     program: Path, tmp_path: Path, verb: str
 ) -> None:
@@ -494,7 +494,7 @@ def test_an_earlier_page_stays_when_the_program_fails(
 ) -> None:
     out = tmp_path / "figures"
     shutil.copytree(figures_without_gl, out)
-    script = failing_program(program, tmp_path, "continuity")
+    script = failing_program(program, tmp_path, "smoothness")
     before = contents(tmp_path)
     assert make_figures(script, out, environment={"GIRDLE_GL": "none"}).returncode == FAILED
     assert contents(tmp_path) == before

@@ -42,7 +42,7 @@ TARGETS = slice(6, 15)
 
 @pytest.fixture(scope="module")
 def smooth() -> SmoothRhythm:
-    positions = read_database(DATABASE.with_name("ludewig2009_destepped.csv"))
+    positions = read_database(DATABASE.with_name("ludewig2009_smoothed.csv"))
     return SmoothRhythm(positions, read_joint_ranges())
 
 
@@ -204,9 +204,9 @@ def test_keyframes_stand_where_their_controls_lead(model: mujoco.MjModel) -> Non
         mujoco.mj_resetDataKeyframe(model, data, key)
         mujoco.mj_forward(model, data)
         assert np.abs(data.actuator_force).max() < 1e-9, model.key(key).name
-    assert (model.key("rest").ctrl == 0).all()
+    assert (model.key("hanging").ctrl == 0).all()
     # Where the model stands with all controls at zero.
-    assert model.key("rest").qpos == pytest.approx(model.qpos0, abs=1e-12)
+    assert model.key("hanging").qpos == pytest.approx(model.qpos0, abs=1e-12)
 
 
 def test_the_arm_of_a_keyframe_has_the_rhythms_own_turn(model: mujoco.MjModel) -> None:
@@ -257,7 +257,7 @@ def test_an_unknown_zero_is_refused_when_the_model_starts(
 
 
 def trace(run_program: RunProgram, scene: Path, folder: Path, *words: str) -> dict[str, Array]:
-    run_program("simulate", scene, "--trace", folder / "trace.csv", *words)
+    run_program("simulate", scene, "--out", folder / "trace.csv", *words)
     with (folder / "trace.csv").open(newline="") as file:
         rows = list(csv.DictReader(file))
     return {name: np.array([float(row[name]) for row in rows]) for name in rows[0]}
@@ -269,7 +269,7 @@ def test_a_file_of_isbs_angles_moves_every_model_alike(
     (tmp_path / "motion.csv").write_text(
         "time_s,elevation_deg,plane_deg,axial_deg\n0,30,20,-40\n0.2,60,50,-70\n0.4,90,60,-55\n"
     )
-    words = ("--motion", str(tmp_path / "motion.csv"), "--axial-from", "isb")
+    words = ("--in", str(tmp_path / "motion.csv"), "--axial-from", "isb")
     # Rates are fed forward in both.
     plain = trace(run_program, shared.generate("--offsets", "--rates").scene, tmp_path, *words)
     other = trace(run_program, made.scene, tmp_path, *words)
@@ -296,12 +296,12 @@ def test_the_trace_of_position_servos_counts_as_a_motion_does(
     )
     scene = shared.generate("--actuation", "position").scene
     first = trace(
-        run_program, scene, tmp_path, "--motion", str(tmp_path / "motion.csv"), "--axial-from", "isb"
+        run_program, scene, tmp_path, "--in", str(tmp_path / "motion.csv"), "--axial-from", "isb"
     )
     assert first["used_axial_isb_deg"][[0, -1]] == pytest.approx([-40.0, -70.0], abs=1e-9)
     again = tmp_path / "again"
     again.mkdir()
-    second = trace(run_program, scene, again, "--motion", str(tmp_path / "trace.csv"))
+    second = trace(run_program, scene, again, "--in", str(tmp_path / "trace.csv"))
     for stem in COORDINATES:
         column = f"target_{stem}_deg"
         assert second[column] == pytest.approx(first[column], abs=1e-9), column
@@ -310,7 +310,7 @@ def test_the_trace_of_position_servos_counts_as_a_motion_does(
 def test_a_raise_has_the_rhythms_own_turn_in_every_model(
     run_program: RunProgram, made: Made, tmp_path: Path
 ) -> None:
-    found = trace(run_program, made.scene, tmp_path, "--raise", "0:170", "--plane", "40", "--seconds", "0.5")
+    found = trace(run_program, made.scene, tmp_path, "--elevation", "0:170", "--plane", "40", "--seconds", "0.5")
     assert np.abs(found["used_axial_deg"]).max() < 1e-9
 
 

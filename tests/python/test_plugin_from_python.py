@@ -180,7 +180,7 @@ class Rhythm:
 @pytest.fixture(scope="module")
 def smooth() -> SmoothRhythm:
     """What the committed model moves by."""
-    positions = read_database(DATABASE.with_name("ludewig2009_destepped.csv"))
+    positions = read_database(DATABASE.with_name("ludewig2009_smoothed.csv"))
     return SmoothRhythm(positions, read_joint_ranges())
 
 
@@ -271,7 +271,7 @@ def trace(
     motion_path, trace_path = directory / "motion.csv", directory / "trace.csv"
     lines = ["time_s,elevation_deg,plane_deg", *(",".join(map(repr, row)) for row in MOTION)]
     motion_path.write_text("\n".join(lines) + "\n", encoding="utf-8")
-    run_program("simulate", model_path, "--motion", motion_path, "--trace", trace_path)
+    run_program("simulate", model_path, "--in", motion_path, "--out", trace_path)
     with trace_path.open(newline="", encoding="utf-8") as file:
         reader = csv.DictReader(file)
         rows = [{column: float(text) for column, text in row.items()} for row in reader]

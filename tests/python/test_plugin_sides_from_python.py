@@ -108,8 +108,8 @@ def test_controls_written_by_the_plugin_move_the_servos_alike(
     for suffix in SIDES[side]:
         name = {"_r": "right", "_l": "left"}[suffix]
         run_program(
-            *("simulate", made(*words), "--motion", motion, "--side", name),
-            *("--trace", tmp_path / "trace.csv", "--controls", tmp_path / "controls.csv"),
+            *("simulate", made(*words), "--in", motion, "--side", name),
+            *("--out", tmp_path / "trace.csv", "--out-controls", tmp_path / "controls.csv"),
         )
         trace = table_of((tmp_path / "trace.csv").read_text())
         traces[suffix] = joints_in_trace(*trace, assembly)
@@ -138,7 +138,7 @@ def test_the_program_moves_plugin_and_servos_alike(
 ) -> None:
     words = ("--side", side, *ASSEMBLIES[assembly])
     plugin, servos = (
-        table_of(run_program("simulate", scene, "--motion", motion, "--trace", "-"))
+        table_of(run_program("simulate", scene, "--in", motion, "--out", "-"))
         for scene in (made(*words), made(*words, *POSITION))
     )
     assert plugin[0] == servos[0]

@@ -106,7 +106,7 @@ ARRIVED_DEG = 1.0
 def test_the_controls_of_the_readme_move_the_model_without_plugin(
     checkout: Path, program: Path
 ) -> None:
-    run_shell(block("sh", "--controls"), checkout)
+    run_shell(block("sh", "--out-controls"), checkout)
     play = block("python", "raise_controls.csv")
     (elevation_rad,) = numbers(run(sys.executable, "-c", play, folder=checkout))
     target = run(program, "solve", "--elevation", "120", "--plane", "40", "--json", folder=checkout)
@@ -131,11 +131,11 @@ def test_the_readme_shows_every_verb() -> None:
         "simulate",
         "render",
         "verify",
-        "destep",
+        "smooth-table",
         "thorax",
         "doctor",
         "compare",
-        "continuity",
+        "smoothness",
     }
 
 
@@ -280,7 +280,7 @@ def test_the_continuity_table_of_the_readme_is_that_of_the_program(
 ) -> None:
     """What differences leave of rounding may differ from machine to machine; a jump may not."""
     rounding = re.compile(r" +[0-9.]+e-\d\d\b")
-    printed = run(program, "continuity", folder=checkout).splitlines()
+    printed = run(program, "smoothness", folder=checkout).splitlines()
     kept = {rounding.sub(" ~", line) for line in printed}
     shown = re.search(r"```\n(largest jump .*?)\n```", README, re.DOTALL)
     assert shown

@@ -182,7 +182,7 @@ def solve_file(
         poses = zip(*commands.values(), strict=True)
         writer.writerows([repr(float(value)) for value in pose] for pose in poses)
     model = ("--interpolation", "smooth", "--table", "measured")
-    how = ("--closure", closure, "--range", extent, "--rates", *words)
+    how = ("--closure", closure, "--range", extent, "--derivatives", *words)
     run_program("solve", "--in", poses_path, "--out", angles_path, *model, *how)
     with angles_path.open(newline="", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))

@@ -115,7 +115,7 @@ def test_webassembly_and_the_c_library_move_a_position_model_the_same_way(
     motion.write_text(MOTION)
     driven = folder / f"scene{scene}.xml"
     subprocess.run(
-        [program, "simulate", driven, "--motion", motion, "--controls", table],
+        [program, "simulate", driven, "--in", motion, "--out-controls", table],
         check=True,
         capture_output=True,
         timeout=TIMEOUT_S,

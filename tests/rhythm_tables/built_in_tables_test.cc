@@ -26,7 +26,7 @@ namespace {
 
 TEST(BuiltInTableFiles, AreThoseOfDataByteForByte) {
   EXPECT_EQ(built_in_files::kLudewig2009, TextInData("ludewig2009.csv"));
-  EXPECT_EQ(built_in_files::kLudewig2009Destepped, TextInData("ludewig2009_destepped.csv"));
+  EXPECT_EQ(built_in_files::kLudewig2009Smoothed, TextInData("ludewig2009_smoothed.csv"));
 }
 
 TEST(BuiltInRhythmTable, IsTheShippedTable) {
@@ -45,7 +45,7 @@ TEST(BuiltInRhythmTable, IsTheShippedTable) {
 
 TEST(BuiltInTable, HasAWordThatReadsBack) {
   for (const auto& [table, word] : {std::pair(BuiltInTable::kMeasured, "measured"),
-                                    std::pair(BuiltInTable::kDestepped, "destepped")}) {
+                                    std::pair(BuiltInTable::kSmoothed, "smoothed")}) {
     EXPECT_EQ(Name(table), word);
     EXPECT_EQ(FromName<BuiltInTable>(word), table);
   }
@@ -59,7 +59,7 @@ TEST(BuiltInTable, HasNoOtherWords) {
 
 // A smooth curve swings where people dropped out; squad and slerp are as published.
 TEST(DefaultTable, IsWithoutStepsForSmoothAlone) {
-  EXPECT_EQ(DefaultTable(Interpolation::kSmooth), BuiltInTable::kDestepped);
+  EXPECT_EQ(DefaultTable(Interpolation::kSmooth), BuiltInTable::kSmoothed);
   EXPECT_EQ(DefaultTable(Interpolation::kSquad), BuiltInTable::kMeasured);
   EXPECT_EQ(DefaultTable(Interpolation::kSlerp), BuiltInTable::kMeasured);
 }
@@ -111,13 +111,13 @@ TEST(BuiltInRhythmTable, HasTheMeasuredTableWithoutItsSteps) {
   constexpr double kHalfOfTheLastDecimal_deg = 0.5e-4;
   constexpr double kRounding_deg = 1e-9;
   const RhythmTable measured = BuiltInRhythmTable(BuiltInTable::kMeasured);
-  const RhythmTable destepped = BuiltInRhythmTable(BuiltInTable::kDestepped);
+  const RhythmTable smoothed = BuiltInRhythmTable(BuiltInTable::kSmoothed);
   const RhythmTable expected = Smoothed(measured);
-  ASSERT_EQ(destepped.planes_rad(), measured.planes_rad());
-  ASSERT_EQ(destepped.elevations_rad(), measured.elevations_rad());
+  ASSERT_EQ(smoothed.planes_rad(), measured.planes_rad());
+  ASSERT_EQ(smoothed.elevations_rad(), measured.elevations_rad());
   for (std::size_t plane = 0; plane < 3; ++plane) {
     for (std::size_t elevation = 0; elevation < 22; ++elevation) {
-      const RhythmPosition& position = destepped.position(plane, elevation);
+      const RhythmPosition& position = smoothed.position(plane, elevation);
       for (std::size_t k = 0; k < kCoordinateCount; ++k) {
         EXPECT_NEAR(DegreesFromRadians(position.angles_rad[k]),
                     DegreesFromRadians(expected.position(plane, elevation).angles_rad[k]),

@@ -106,7 +106,7 @@ TEST(Resolve, FillsInTheDefaultsOfEveryCombination) {
            {std::optional<Range>(), std::optional(Range::kWhole), std::optional(Range::kClamp)}) {
         for (const std::optional<TableChoice>& table :
              {std::optional<TableChoice>(), std::optional<TableChoice>(BuiltInTable::kMeasured),
-              std::optional<TableChoice>(BuiltInTable::kDestepped),
+              std::optional<TableChoice>(BuiltInTable::kSmoothed),
               std::optional<TableChoice>(kOwn)}) {
           const ResolvedRhythm resolved = Resolve({interpolation, closure, range, table});
           const bool is_smooth =
@@ -118,13 +118,13 @@ TEST(Resolve, FillsInTheDefaultsOfEveryCombination) {
           EXPECT_EQ(resolved.options.range,
                     range.value_or(is_smooth && is_exact ? Range::kWhole : Range::kClamp));
           const std::string name = table       ? TableName(*table)
-                                   : is_smooth ? std::string("destepped")
+                                   : is_smooth ? std::string("smoothed")
                                                : std::string("measured");
           EXPECT_EQ(resolved.table_name(), name);
           // The table that is named is the one that is used.
           const RhythmTable expected =
               name == "measured"    ? BuiltInRhythmTable(BuiltInTable::kMeasured)
-              : name == "destepped" ? BuiltInRhythmTable(BuiltInTable::kDestepped)
+              : name == "smoothed" ? BuiltInRhythmTable(BuiltInTable::kSmoothed)
                                     : SmallTable();
           EXPECT_EQ(RhythmTableToLine(resolved.table), RhythmTableToLine(expected));
           EXPECT_EQ(resolved.built_in().has_value(), name != "the model's own");
@@ -137,7 +137,7 @@ TEST(Resolve, FillsInTheDefaultsOfEveryCombination) {
 // What a model without a table means changes with the interpolation that is said over it.
 TEST(Resolve, NamesTheTableOfTheInterpolationThatCounts) {
   const RhythmChoice model_says = {Interpolation::kSmooth, Closure::kExact, Range::kWhole};
-  EXPECT_EQ(Resolve(model_says).table_name(), "destepped");
+  EXPECT_EQ(Resolve(model_says).table_name(), "smoothed");
   const ResolvedRhythm squad = Resolve(Over({.interpolation = Interpolation::kSquad}, model_says));
   EXPECT_EQ(squad.table_name(), "measured");
   EXPECT_EQ(RhythmTableToLine(squad.table),
@@ -191,7 +191,7 @@ TEST(TableFromWordOrLine, IsTheBuiltInTableOfAWordAndElseTheLine) {
 }
 
 TEST(TableFromWordOrFile, IsTheBuiltInTableOfAWordAndElseThatOfTheFile) {
-  EXPECT_EQ(std::get<BuiltInTable>(TableFromWordOrFile("destepped")), BuiltInTable::kDestepped);
+  EXPECT_EQ(std::get<BuiltInTable>(TableFromWordOrFile("smoothed")), BuiltInTable::kSmoothed);
   const std::string path = std::string(GIRDLE_SOURCE_DIR) + "/data/ludewig2009.csv";
   const TableChoice read = TableFromWordOrFile(path);
   EXPECT_EQ(TableName(read), path);

@@ -74,13 +74,13 @@ TEST_P(ChosenTable, IsTheOneNamedOrTheInterpolationsOwn) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Words, ChosenTable,
-                         testing::Values(TableChoice{"", "", BuiltInTable::kDestepped},
-                                         TableChoice{"smooth", "", BuiltInTable::kDestepped},
+                         testing::Values(TableChoice{"", "", BuiltInTable::kSmoothed},
+                                         TableChoice{"smooth", "", BuiltInTable::kSmoothed},
                                          TableChoice{"squad", "", BuiltInTable::kMeasured},
                                          TableChoice{"slerp", "", BuiltInTable::kMeasured},
                                          TableChoice{"smooth", "measured", BuiltInTable::kMeasured},
-                                         TableChoice{"squad", "destepped",
-                                                     BuiltInTable::kDestepped}));
+                                         TableChoice{"squad", "smoothed",
+                                                     BuiltInTable::kSmoothed}));
 
 TEST(RhythmConfig, HasOnePositiveStiffnessIfNoneIsGiven) {
   const auto stiffness = ParseRhythmConfig({}).stiffness_N_m_per_rad;

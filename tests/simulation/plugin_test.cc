@@ -497,7 +497,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "kp is"},
         BadModel{"NegativeStiffness", "key=\"kp\" value=\"1500", "key=\"kp\" value=\"-1500",
                  "expected one positive number"},
-        BadModel{"BrokenTable", "key=\"table\" value=\"destepped\"",
+        BadModel{"BrokenTable", "key=\"table\" value=\"smoothed\"",
                  "key=\"table\" value=\"plane_deg;0\"", "column 'elevation_deg' is missing"},
         BadModel{"NoElevationCommand",
                  "<plugin name=\"elevation_r\" joint=\"gh_axial_r\" instance=\"rhythm_r\" "

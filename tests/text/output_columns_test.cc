@@ -44,7 +44,7 @@ TEST(ColumnName, HasTheUnitBehindTheStem) {
 }
 
 TEST(WrittenColumns, HaveNamesAndValuesInTheOrderOfTheTable) {
-  const WrittenColumns<Step, AppendNumber> columns(kColumns, Options{true});
+  const WrittenColumns<Step, ExactNumbers> columns(kColumns, Options{true});
   EXPECT_EQ(columns.names(), (std::vector<std::string>{"time_s", "x_m", "y_m", "state"}));
   EXPECT_EQ(columns.Header(), "time_s,x_m,y_m,state");
   std::string row = "before ";
@@ -53,7 +53,7 @@ TEST(WrittenColumns, HaveNamesAndValuesInTheOrderOfTheTable) {
 }
 
 TEST(WrittenColumns, LeaveOutWhatTheOutputDoesNotHave) {
-  const WrittenColumns<Step, AppendNumber> columns(kColumns, Options{false});
+  const WrittenColumns<Step, ExactNumbers> columns(kColumns, Options{false});
   EXPECT_EQ(columns.Header(), "time_s,state");
   std::string row;
   columns.Append(row, kStep);

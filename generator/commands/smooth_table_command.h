@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// `girdle destep`: a measured table without the steps of people who drop out.
+/// `girdle smooth-table`: a measured table without the steps of people who drop out.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -9,6 +9,6 @@
 namespace girdle {
 
 /// Adds the verb; its callback does the work and throws InputError.
-void AddDestepCommand(CLI::App& program);
+void AddSmoothTableCommand(CLI::App& program);
 
 }  // namespace girdle

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "commands/thorax_command.h"
+#include "commands/fit_thorax_command.h"
 
 #include <array>
 #include <cmath>
@@ -30,7 +30,7 @@ namespace {
 constexpr int kMillimeterDecimals = 1;
 constexpr int kDistanceDecimals = 2;
 
-struct ThoraxArguments {
+struct FitThoraxArguments {
   AnatomyArguments anatomy;
   std::string table;
   std::string out;
@@ -104,7 +104,7 @@ std::vector<std::string> Provenance(const ThoraxReport& report) {
       "# Sources: ribcage - the anatomy's; gliding - fitted by least squares to TS and AI in the " +
           std::to_string(report.position_count) + " measured positions",
       "#   of the table, pulled weakly towards the ribcage. Left: " + distances + ".",
-      "# Made by: girdle thorax --table " + report.table + " --out FILE",
+      "# Made by: girdle fit-thorax --table " + report.table + " --out FILE",
       "# Units: meters, rounded to 0.1 mm. Frame: thorax (origin IJ, x anterior, y up, z right).",
       "# Derived: gliding is a fit, not an anatomical surface."};
 }
@@ -188,14 +188,14 @@ std::string ReportAsJson(const ThoraxReport& report) {
   return JsonText(json);
 }
 
-void FitThorax(const ThoraxArguments& arguments, const Anatomy& anatomy) {
+void FitThorax(const FitThoraxArguments& arguments, const Anatomy& anatomy) {
   if (arguments.json && arguments.out == "-") {
     throw InputError(
         "--json and --out - both want standard output. Write the ellipsoids to a file");
   }
   ExpectFilesApart({{"--out", arguments.out}}, {{"--table", TableFile(arguments.table)},
                                                 {"--anatomy", arguments.anatomy.file},
-                                                {"--thorax", arguments.anatomy.thorax}});
+                                                {"--ellipsoids", arguments.anatomy.ellipsoids}});
   const ResolvedRhythm chosen = Resolve(ChoiceFrom({.table = arguments.table}));
   const ThoraxReport report = ReportOn(anatomy, chosen.table, chosen.table_name());
   if (!arguments.out.empty()) {
@@ -204,6 +204,7 @@ void FitThorax(const ThoraxArguments& arguments, const Anatomy& anatomy) {
     OutputFile out(arguments.out);
     out.Write(ThoraxEllipsoidsToCsv(with_fit, Provenance(report)));
     out.Commit();
+    NoteWritten(arguments.out);
     if (arguments.out == "-") {
       return;  // the ellipsoids are the output
     }
@@ -213,10 +214,10 @@ void FitThorax(const ThoraxArguments& arguments, const Anatomy& anatomy) {
 
 }  // namespace
 
-void AddThoraxCommand(CLI::App& program) {
-  auto arguments = std::make_shared<ThoraxArguments>();
+void AddFitThoraxCommand(CLI::App& program) {
+  auto arguments = std::make_shared<FitThoraxArguments>();
   CLI::App* verb = program.add_subcommand(
-      "thorax", "The ellipsoid that the scapula glides on, fitted to where TS and AI go");
+      "fit-thorax", "The ellipsoid that the scapula glides on, fitted to where TS and AI go");
   AddTableArgument(*verb, arguments->table);
   AddAnatomyArguments(*verb, arguments->anatomy);
   verb->add_option("--out", arguments->out,
@@ -225,11 +226,10 @@ void AddThoraxCommand(CLI::App& program) {
       ->type_name("FILE");
   verb->add_flag("--json", arguments->json, "The report as JSON");
   verb->footer(
-      "Prints centre and radii in the thorax frame, how well the points determine them, and how "
-      "far "
-      "TS and AI are from\nthe surface over the table's measured positions; beside it the same of "
-      "the anatomy's own ellipsoid.\n"
-      "Examples:\n  girdle thorax --out thorax.csv\n  girdle thorax --anatomy landmarks.csv");
+      "\nThe report shows centre and radii in the thorax frame, how well the points determine "
+      "them, and how far TS and AI are from the surface over the table's measured positions; "
+      "beside them, the figures of the anatomy's own ellipsoid.\n"
+      "\nExamples:\n  girdle fit-thorax --out thorax.csv\n  girdle fit-thorax --anatomy landmarks.csv");
   verb->callback([arguments] { FitThorax(*arguments, ChosenAnatomy(arguments->anatomy)); });
 }
 

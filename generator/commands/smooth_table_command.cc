@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "commands/destep_command.h"
+#include "commands/smooth_table_command.h"
 
 #include <array>
 #include <filesystem>
@@ -34,7 +34,7 @@ constexpr int kAngleDecimals = 4;
 // Of planes and elevations in reports [deg].
 constexpr int kKnotDecimals = 6;
 
-struct DestepArguments {
+struct SmoothTableArguments {
   std::string in;
   std::string out;
   std::string penalty;
@@ -56,7 +56,7 @@ CommentedTable ReadCommentedTable(const std::string& path) {
   return {std::move(table), CsvReader(header, path).comments()};
 }
 
-SmoothingOptions ChosenSmoothing(const DestepArguments& arguments) {
+SmoothingOptions ChosenSmoothing(const SmoothTableArguments& arguments) {
   SmoothingOptions options;
   if (!arguments.penalty.empty()) {
     options.penalty = NumberArgument("--penalty", arguments.penalty);
@@ -87,7 +87,7 @@ std::vector<std::string> Provenance(const std::string& source, const SmoothingOp
       "#   p_i = 1, but " + NumberText(options.gh_low_share) +
           " for GH where row i is below elevation " + DegreesText(options.gh_low_elevation_rad) +
           ".",
-      "# Made by: girdle destep --in " + source + " --penalty " + lambda + " --out FILE",
+      "# Made by: girdle smooth-table --in " + source + " --penalty " + lambda + " --out FILE",
       "# Units: degrees, rounded to " + std::to_string(kAngleDecimals) +
           " decimals. Frames, sequences and signs: as in the source.",
       "# Derived: all angles of SC, AC and GH. The origins of rows and ST are the source's."};
@@ -121,7 +121,7 @@ std::vector<ReportedChange> Reported(const std::array<JointChange, kJointCount>&
   return lines;
 }
 
-std::string ReportAsText(const DestepArguments& arguments, const SmoothingOptions& options,
+std::string ReportAsText(const SmoothTableArguments& arguments, const SmoothingOptions& options,
                          const RhythmTable& table,
                          const std::array<JointChange, kJointCount>& changes) {
   constexpr int kDecimals = 3;
@@ -140,7 +140,7 @@ std::string ReportAsText(const DestepArguments& arguments, const SmoothingOption
   return text;
 }
 
-std::string ReportAsJson(const DestepArguments& arguments, const SmoothingOptions& options,
+std::string ReportAsJson(const SmoothTableArguments& arguments, const SmoothingOptions& options,
                          const RhythmTable& table,
                          const std::array<JointChange, kJointCount>& changes) {
   nlohmann::ordered_json json;
@@ -168,7 +168,7 @@ RhythmTable SmoothedFrom(const std::string& path, const RhythmTable& table,
   }
 }
 
-void Destep(const DestepArguments& arguments) {
+void SmoothTable(const SmoothTableArguments& arguments) {
   if (arguments.json && arguments.out == "-") {
     throw InputError("--json and --out - both want standard output. Write the table to a file");
   }
@@ -180,6 +180,7 @@ void Destep(const DestepArguments& arguments) {
   OutputFile out(arguments.out);
   out.Write(RhythmTableToCsv(smoothed, Provenance(source, options, comments), kAngleDecimals));
   out.Commit();
+  NoteWritten(arguments.out, CountText(smoothed.elevations_rad().size() * smoothed.planes_rad().size(), "position"));
   if (arguments.out == "-") {
     return;  // the table is the output
   }
@@ -190,10 +191,10 @@ void Destep(const DestepArguments& arguments) {
 
 }  // namespace
 
-void AddDestepCommand(CLI::App& program) {
-  auto arguments = std::make_shared<DestepArguments>();
+void AddSmoothTableCommand(CLI::App& program) {
+  auto arguments = std::make_shared<SmoothTableArguments>();
   CLI::App* verb =
-      program.add_subcommand("destep", "A measured table without the steps of people who drop out");
+      program.add_subcommand("smooth-table", "A measured table without the steps of people who drop out");
   verb->add_option("--in", arguments->in, "Measured table as CSV")->type_name("FILE")->required();
   verb->add_option("--out", arguments->out, "Table to write; - for standard output")
       ->type_name("FILE")
@@ -204,10 +205,10 @@ void AddDestepCommand(CLI::App& program) {
       ->type_name("NUMBER");
   verb->add_flag("--json", arguments->json, "The report as JSON");
   verb->footer(
-      "Prints how far rows moved and how far they bend: the second difference of the rotations "
-      "along elevation,\nfrom row to row, and of their Euler angles.\n"
-      "Example:\n  girdle destep --in data/ludewig2009.csv --out smooth.csv");
-  verb->callback([arguments] { Destep(*arguments); });
+      "\nThe report shows how far rows moved, and how far the table bends: the second difference "
+      "along elevation, from row to row, of the rotations and of their Euler angles.\n"
+      "\nExample:\n  girdle smooth-table --in data/ludewig2009.csv --out smooth.csv");
+  verb->callback([arguments] { SmoothTable(*arguments); });
 }
 
 }  // namespace girdle

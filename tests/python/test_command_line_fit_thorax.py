@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Girdle authors
 # SPDX-License-Identifier: Apache-2.0
-"""`girdle thorax`: the ellipsoid that TS and AI glide on, and how far they are from it."""
+"""`girdle fit-thorax`: the ellipsoid that TS and AI glide on, and how far they are from it."""
 
 from __future__ import annotations
 
@@ -93,7 +93,7 @@ def rms(values: Array) -> float:
 
 @pytest.fixture
 def report(girdle_fine: Girdle) -> dict[str, Any]:
-    return json.loads(girdle_fine("thorax", "--table", DATABASE, "--json").text)
+    return json.loads(girdle_fine("fit-thorax", "--table", DATABASE, "--json").text)
 
 
 @pytest.mark.parametrize("which", ["fitted", "anatomy"])
@@ -136,7 +136,7 @@ def test_no_number_of_the_fit_is_known_worse_than_the_ribcage_tells_it(report: d
 
 
 def test_the_text_gives_the_numbers_of_the_json(girdle_fine: Girdle, report: dict[str, Any]) -> None:
-    text = girdle_fine("thorax", "--table", DATABASE).text
+    text = girdle_fine("fit-thorax", "--table", DATABASE).text
     lines = [" ".join(line.split()) for line in text.splitlines()]
     for label, which in (("fitted", "fitted"), ("the anatomy's", "anatomy")):
         printed = report[which]
@@ -153,31 +153,31 @@ def test_the_text_gives_the_numbers_of_the_json(girdle_fine: Girdle, report: dic
 def test_the_file_holds_the_fit_and_the_same_ribcage(
     girdle_fine: Girdle, report: dict[str, Any], tmp_path: Path
 ) -> None:
-    girdle_fine("thorax", "--table", DATABASE, "--out", "thorax.csv")
+    girdle_fine("fit-thorax", "--table", DATABASE, "--out", "thorax.csv")
     written = tmp_path / "thorax.csv"
     assert list(ellipsoid_of(written)) == report["fitted"]["center_m"] + report["fitted"]["radii_m"]
     assert list(ellipsoid_of(written, "ribcage")) == list(ellipsoid_of(ELLIPSOIDS, "ribcage"))
     comments = "\n".join(
         line for line in written.read_text().splitlines() if line.startswith("#")
     )
-    for words in ("girdle thorax --table", str(DATABASE), "57 measured positions", "Units: meters"):
+    for words in ("girdle fit-thorax --table", str(DATABASE), "57 measured positions", "Units: meters"):
         assert words in comments
 
 
 def test_ellipsoids_on_standard_output_are_alone_there(
     girdle_fine: Girdle, tmp_path: Path
 ) -> None:
-    girdle_fine("thorax", "--out", "thorax.csv")
-    assert girdle_fine("thorax", "--out", "-").output == (tmp_path / "thorax.csv").read_bytes()
+    girdle_fine("fit-thorax", "--out", "thorax.csv")
+    assert girdle_fine("fit-thorax", "--out", "-").output == (tmp_path / "thorax.csv").read_bytes()
 
 
 def test_the_default_table_is_the_default_rhythm_s(girdle_fine: Girdle) -> None:
-    default, destepped, measured = (
-        girdle_fine("thorax", *options).text
-        for options in ((), ("--table", "destepped"), ("--table", "measured"))
+    default, smoothed, measured = (
+        girdle_fine("fit-thorax", *options).text
+        for options in ((), ("--table", "smoothed"), ("--table", "measured"))
     )
-    assert default == destepped
-    assert measured != destepped
+    assert default == smoothed
+    assert measured != smoothed
 
 
 # --- Models on the thorax ------------------------------------------------------------------------
@@ -210,7 +210,7 @@ def test_a_model_on_the_thorax_verifies(girdle_fine: Girdle, assembly: str) -> N
 def test_a_wrong_command_is_refused(
     refuses: Refuses, options: tuple[str | Path, ...], patterns: tuple[str, ...]
 ) -> None:
-    refuses("thorax", *options, because=patterns)
+    refuses("fit-thorax", *options, because=patterns)
 
 
 def test_thorax_contact_is_not_for_a_scapula_that_leads(refuses: Refuses) -> None:
@@ -226,11 +226,11 @@ def test_a_table_without_measured_positions_is_refused(refuses: Refuses, tmp_pat
     derived = [line.replace(",measured,", ",sc_ac_derived,") for line in lines]
     (tmp_path / "mine.csv").write_text("\n".join(derived) + "\n")
     refuses(
-        *("thorax", "--table", "mine.csv", "--out", "thorax.csv"),
+        *("fit-thorax", "--table", "mine.csv", "--out", "thorax.csv"),
         because=("mine.csv: the table has 0 positions", "Take a table with more"),
     )
 
 
 def test_a_refused_table_leaves_the_earlier_file(refuses: Refuses, tmp_path: Path) -> None:
     (tmp_path / "thorax.csv").write_text("earlier\n")
-    refuses("thorax", "--table", "absent.csv", "--out", "thorax.csv", because=("absent.csv",))
+    refuses("fit-thorax", "--table", "absent.csv", "--out", "thorax.csv", because=("absent.csv",))

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// `girdle continuity`: how smooth the interpolations are, and what a rhythm keeps.
+/// `girdle smoothness`: how smooth the interpolations are, and what a rhythm keeps.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -9,6 +9,6 @@
 namespace girdle {
 
 /// Adds the verb; `status` becomes 1 if a check fails.
-void AddContinuityCommand(CLI::App& program, int& status);
+void AddSmoothnessCommand(CLI::App& program, int& status);
 
 }  // namespace girdle

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Girdle authors
 # SPDX-License-Identifier: Apache-2.0
-"""`girdle continuity` as a person types it: how smooth interpolations are, what a rhythm keeps."""
+"""`girdle smoothness` as a person types it: how smooth interpolations are, what a rhythm keeps."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def measure(run_program: RunProgram) -> Measure:
 
     def run(*options: str) -> Answer:
         if options not in answers:
-            answers[options] = json.loads(run_program("continuity", *options, "--json"))
+            answers[options] = json.loads(run_program("smoothness", *options, "--json"))
         return answers[options]
 
     return run
@@ -118,11 +118,11 @@ def test_unless_told_otherwise_the_measured_tables_jumps_are_shown(
 ) -> None:
     """Of its checks one fails: how fast the bones turn where it is steep and the arm behind."""
     by_name, by_file = (
-        girdle("continuity", "--table", table, "--json").text for table in ("measured", DATABASE)
+        girdle("smoothness", "--table", table, "--json").text for table in ("measured", DATABASE)
     )
     assert by_name == by_file
     assert json.loads(by_name)["jumps"] == measure()["jumps"]
-    assert measure("--table", "destepped")["jumps"] != measure()["jumps"]
+    assert measure("--table", "smoothed")["jumps"] != measure()["jumps"]
 
 
 # --- On a skin -----------------------------------------------------------------------------------
@@ -201,7 +201,7 @@ def test_the_skins_jump_is_that_of_a_model_that_moves_so(
 
 @pytest.mark.numbers
 def test_the_skin_moves_by_the_table_that_is_said(measure: Measure) -> None:
-    other = skin_jumps(measure(*SKIN, "--table", "destepped"), "ac_skin_mm_per_deg")
+    other = skin_jumps(measure(*SKIN, "--table", "smoothed"), "ac_skin_mm_per_deg")
     assert other["slerp", "elevation"] < skin_jumps(measure(*SKIN), "ac_skin_mm_per_deg")[
         "slerp", "elevation"
     ]
@@ -214,7 +214,7 @@ def test_without_a_skin_nothing_is_said_of_one_and_all_else_is_the_same(measure:
 
 
 def test_the_text_has_the_skins_lines_of_the_json(girdle_fine: Girdle, measure: Measure) -> None:
-    text = girdle_fine("continuity", *SKIN).text
+    text = girdle_fine("smoothness", *SKIN).text
     skin = measure(*SKIN)["skin"]
     for row in skin["jumps"]:
         (line,) = re.findall(rf"^{row['interpolation']} +{row['over']} .* skin_.*", text, re.MULTILINE)
@@ -237,7 +237,7 @@ def test_the_text_has_the_skins_lines_of_the_json(girdle_fine: Girdle, measure: 
 def test_a_skin_that_is_none_is_refused(
     refuses: Refuses, options: tuple[str, ...], because: tuple[str, ...]
 ) -> None:
-    refuses("continuity", *options, because=because)
+    refuses("smoothness", *options, because=because)
 
 
 # --- Checks of the rhythm ------------------------------------------------------------------------
@@ -268,7 +268,7 @@ def test_the_checks_of_a_rhythm_pass(
 
 def test_what_the_humerus_spins_straight_up_is_stated(measure: Measure) -> None:
     """From plane 0 to 90, by the twist of the reference: straight up the humerus is tau - 2 psi."""
-    positions = read_database(DATABASE.parent / "ludewig2009_destepped.csv")
+    positions = read_database(DATABASE.parent / "ludewig2009_smoothed.csv")
     upright, planes = np.radians([180.0, 180.0]), np.radians([0.0, 90.0])
     first, last = np.degrees(ReferenceSmooth(positions).whole_tau(upright, planes))
     spin_deg = abs((last - 180.0) - first)
@@ -303,7 +303,7 @@ def test_a_rhythm_that_leaves_the_joints_ranges_fails(girdle: Girdle, tmp_path: 
     row[header.index("sc_rotation_deg")] = "60"
     lines = "".join(",".join(row) + "\n" for row in (header, *rows))
     (tmp_path / "mine.csv").write_text(lines)
-    finished = girdle("continuity", "--table", "mine.csv", "--json")
+    finished = girdle("smoothness", "--table", "mine.csv", "--json")
     assert (finished.code, finished.message) == (ABOVE_TOLERANCE, "")
     answer = json.loads(finished.text)
     assert answer["passed"] is False
@@ -314,7 +314,7 @@ def test_a_rhythm_that_leaves_the_joints_ranges_fails(girdle: Girdle, tmp_path: 
     found = re.fullmatch(r"elevation (\S+), plane (\S+)", outside["where"])
     assert found
     assert math.dist((float(found[1]), float(found[2])), (60, 40)) < 6
-    text = girdle("continuity", "--table", "mine.csv")
+    text = girdle("smoothness", "--table", "mine.csv")
     assert text.code == ABOVE_TOLERANCE
     assert re.search(r"^joint out of its range .* FAIL +elevation", text.text, re.MULTILINE)
     assert text.text.endswith("\nsome checks fail\n")
@@ -325,7 +325,7 @@ def test_a_rhythm_that_leaves_the_joints_ranges_fails(girdle: Girdle, tmp_path: 
 
 def test_the_text_has_the_lines_of_the_json(girdle_fine: Girdle, measure: Measure) -> None:
     answer = measure()
-    text = girdle_fine("continuity").text
+    text = girdle_fine("smoothness").text
     assert re.search(r"^table +measured$", text, re.MULTILINE)
     assert f"\nrhythm  {answer['rhythm']}\n" in text
     for row in answer["jumps"]:
@@ -347,7 +347,7 @@ def test_the_text_has_the_lines_of_the_json(girdle_fine: Girdle, measure: Measur
 
 @pytest.mark.numbers
 def test_two_runs_give_the_same_bytes(girdle_fine: Girdle) -> None:
-    first, second = (girdle_fine("continuity", *PUBLISHED).output for _ in range(2))
+    first, second = (girdle_fine("smoothness", *PUBLISHED).output for _ in range(2))
     assert first == second
 
 
@@ -355,4 +355,4 @@ def test_two_runs_give_the_same_bytes(girdle_fine: Girdle) -> None:
 
 
 def test_an_absent_table_is_refused(refuses: Refuses) -> None:
-    refuses("continuity", "--table", "absent.csv", because=("absent.csv: ", "Check"))
+    refuses("smoothness", "--table", "absent.csv", because=("absent.csv: ", "Check"))

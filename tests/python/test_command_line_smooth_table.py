@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Girdle authors
 # SPDX-License-Identifier: Apache-2.0
-"""`girdle destep`: the committed table is what it makes, and holds what its fit promises."""
+"""`girdle smooth-table`: the committed table is what it makes, and holds what its fit promises."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ from reference_rhythm import (
     rotation_angle_deg,
 )
 
-DESTEPPED = DATABASE.with_name("ludewig2009_destepped.csv")
+DESTEPPED = DATABASE.with_name("ludewig2009_smoothed.csv")
 JOINTS = tuple(JOINT_SEQUENCES)
 PLANES = (0, 40, 90)
 ELEVATIONS = tuple(range(15, 125, 5))
@@ -109,7 +109,7 @@ every_plane = pytest.mark.parametrize("plane", PLANES)
 def test_the_committed_table_is_regenerated_byte_for_byte(
     girdle_fine: Girdle, tmp_path: Path
 ) -> None:
-    girdle_fine("destep", "--in", DATABASE, "--out", "smooth.csv")
+    girdle_fine("smooth-table", "--in", DATABASE, "--out", "smooth.csv")
     assert (tmp_path / "smooth.csv").read_bytes() == DESTEPPED.read_bytes()
 
 
@@ -176,7 +176,7 @@ def test_everything_but_the_joints_angles_is_the_source_s() -> None:
 def test_the_table_says_where_it_comes_from() -> None:
     comments = [line for line in DESTEPPED.read_text().splitlines() if line.startswith("#")]
     text = "\n".join(comments)
-    for word in ("ludewig2009.csv", "lambda = 10", "0.005", "girdle destep", "Units: degrees"):
+    for word in ("ludewig2009.csv", "lambda = 10", "0.005", "girdle smooth-table", "Units: degrees"):
         assert word in text
     source = [line[1:] for line in DATABASE.read_text().splitlines() if line.startswith("#")]
     assert [line.removeprefix("#  ") for line in comments[-len(source) :]] == source
@@ -197,7 +197,7 @@ QUANTITIES = (
 def report(girdle_fine: Girdle) -> dict[tuple[str, str], tuple[float, float, float]]:
     """Value, plane and elevation by quantity and joint."""
     printed = json.loads(
-        girdle_fine("destep", "--in", DATABASE, "--out", "smooth.csv", "--json").text
+        girdle_fine("smooth-table", "--in", DATABASE, "--out", "smooth.csv", "--json").text
     )
     assert (printed["table"], printed["penalty"]) == ("smooth.csv", PENALTY)
     return {
@@ -237,7 +237,7 @@ def test_the_report_tells_the_largest_of_each(
 def test_the_text_gives_the_numbers_of_the_json(
     girdle_fine: Girdle, report: dict[tuple[str, str], tuple[float, float, float]]
 ) -> None:
-    text = girdle_fine("destep", "--in", DATABASE, "--out", "smooth.csv").text
+    text = girdle_fine("smooth-table", "--in", DATABASE, "--out", "smooth.csv").text
     lines = [" ".join(line.split()) for line in text.splitlines()]
     for (quantity, joint), (value, plane, elevation) in report.items():
         expected = f"{quantity} {joint.upper()} {round(value, 3):g}"
@@ -245,23 +245,23 @@ def test_the_text_gives_the_numbers_of_the_json(
 
 
 def test_a_table_on_standard_output_is_alone_there(girdle_fine: Girdle) -> None:
-    printed = girdle_fine("destep", "--in", DATABASE, "--out", "-").output
+    printed = girdle_fine("smooth-table", "--in", DATABASE, "--out", "-").output
     assert printed == DESTEPPED.read_bytes()
 
 
 def test_without_a_penalty_the_angles_stay(girdle_fine: Girdle, tmp_path: Path) -> None:
-    girdle_fine("destep", "--in", DATABASE, "--out", "same.csv", "--penalty", "0")
+    girdle_fine("smooth-table", "--in", DATABASE, "--out", "same.csv", "--penalty", "0")
     assert read_rows(tmp_path / "same.csv") == read_rows(DATABASE)
 
 
 def test_a_larger_penalty_bends_less(girdle_fine: Girdle, tmp_path: Path) -> None:
-    girdle_fine("destep", "--in", DATABASE, "--out", "stiff.csv", "--penalty", "1000")
+    girdle_fine("smooth-table", "--in", DATABASE, "--out", "stiff.csv", "--penalty", "1000")
     stiff = rotations(read_rows(tmp_path / "stiff.csv"), "sc", 40)
     assert bends_deg(stiff).max() < bends_deg(rotations(read_rows(DESTEPPED), "sc", 40)).max()
 
 
 def test_the_result_is_a_table_for_every_verb(girdle_fine: Girdle) -> None:
-    girdle_fine("destep", "--in", DATABASE, "--out", "smooth.csv")
+    girdle_fine("smooth-table", "--in", DATABASE, "--out", "smooth.csv")
     girdle_fine("solve", "--elevation", "23", "--plane", "50", "--table", "smooth.csv")
 
 
@@ -293,7 +293,7 @@ def test_the_result_is_a_table_for_every_verb(girdle_fine: Girdle) -> None:
 def test_a_wrong_command_is_refused(
     refuses: Refuses, options: tuple[str | Path, ...], patterns: tuple[str, ...]
 ) -> None:
-    refuses("destep", *options, because=patterns)
+    refuses("smooth-table", *options, because=patterns)
 
 
 def data_lines() -> list[str]:
@@ -305,7 +305,7 @@ def test_a_table_of_three_elevations_is_refused(refuses: Refuses, tmp_path: Path
     few = [line for line in data_lines() if line.split(",")[1] in kept]
     (tmp_path / "mine.csv").write_text("\n".join(few) + "\n")
     refuses(
-        *("destep", "--in", "mine.csv", "--out", "smooth.csv"),
+        *("smooth-table", "--in", "mine.csv", "--out", "smooth.csv"),
         because=("mine.csv: elevations: 3 given", "at least 4"),
     )
 
@@ -315,11 +315,11 @@ def test_a_mistake_in_the_table_is_refused_with_its_place(refuses: Refuses, tmp_
     lines[9] = lines[9].replace("measured", "guessed")
     (tmp_path / "mine.csv").write_text("\n".join(lines) + "\n")
     refuses(
-        *("destep", "--in", "mine.csv", "--out", "smooth.csv"),
+        *("smooth-table", "--in", "mine.csv", "--out", "smooth.csv"),
         because=("mine.csv:10: origin is 'guessed'",),
     )
 
 
 def test_a_refused_table_leaves_the_earlier_one(refuses: Refuses, tmp_path: Path) -> None:
     (tmp_path / "smooth.csv").write_text("earlier\n")
-    refuses("destep", "--in", "absent.csv", "--out", "smooth.csv", because=("absent.csv",))
+    refuses("smooth-table", "--in", "absent.csv", "--out", "smooth.csv", because=("absent.csv",))

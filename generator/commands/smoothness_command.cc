@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "commands/continuity_command.h"
+#include "commands/smoothness_command.h"
 
 #include <algorithm>
 #include <memory>
@@ -32,7 +32,7 @@ namespace {
 constexpr int kDigits = 2;
 constexpr int kStatedDigits = 4;  // of what is read as a number, not held against a limit
 
-struct ContinuityArguments {
+struct SmoothnessArguments {
   RhythmArguments rhythm;
   SkinArguments skin;
   bool json = false;
@@ -152,7 +152,7 @@ std::optional<LandmarkSkin> ChosenSkin(const SkinArguments& arguments) {
                       FindSkinLandmarks(body->body, Side::kRight));
 }
 
-bool Measure(const ContinuityArguments& arguments) {
+bool Measure(const SmoothnessArguments& arguments) {
   const RhythmChoice said = ChoiceFrom(arguments.rhythm);
   const ShoulderRhythm rhythm = ChosenRhythm(Resolve(said));
   // The interpolations are compared on the table that was said, by default the measured one.
@@ -183,19 +183,19 @@ bool Measure(const ContinuityArguments& arguments) {
 
 }  // namespace
 
-void AddContinuityCommand(CLI::App& program, int& status) {
-  auto arguments = std::make_shared<ContinuityArguments>();
+void AddSmoothnessCommand(CLI::App& program, int& status) {
+  auto arguments = std::make_shared<SmoothnessArguments>();
   CLI::App* verb = program.add_subcommand(
-      "continuity", "How smooth the interpolations are, and what a rhythm keeps");
+      "smoothness", "How smooth the interpolations are, and what a rhythm keeps");
   AddRhythmArguments(*verb, arguments->rhythm);
   AddSkinArguments(*verb, arguments->skin);
-  verb->add_flag("--json", arguments->json, "The same as JSON");
+  verb->add_flag("--json", arguments->json, "The report as JSON");
   verb->footer(
-      "Measured on poses by differences left and right of every line where a formula changes.\n"
+      "\nJumps are differences of poses left and right of every line at which a formula changes. "
+      "With --skin the report also shows what each interpolation does to the skin over the "
+      "shoulder; girdle verify checks that for a model's own rhythm.\n"
       "Exit status 1 if a check fails.\n"
-      "With --skin also what the interpolations do to the skin over the shoulder, which "
-      "\"girdle verify\" checks of a model's own rhythm.\n"
-      "Examples:\n  girdle continuity\n  girdle continuity --skin implicit");
+      "\nExamples:\n  girdle smoothness\n  girdle smoothness --skin implicit");
   verb->callback([arguments, &status] { status = Measure(*arguments) ? kFine : kAboveTolerance; });
 }
 

@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "anatomy/anatomy_line.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "kinematics/assembly.h"
+#include "text/input_error.h"
+#include "text/number_text.h"
+
+namespace girdle {
+namespace {
+
+constexpr std::string_view kBetweenRows = "; ";
+
+// A row of the line: its name, and the numbers of the anatomy that it holds.
+template <typename Number>
+struct Row {
+  std::string name;
+  std::vector<Number*> numbers;
+};
+
+// The rows of an anatomy, in their order. `AnyAnatomy` is Anatomy or const Anatomy.
+template <typename AnyAnatomy, typename Number>
+std::vector<Row<Number>> RowsOf(AnyAnatomy& anatomy) {
+  std::vector<Row<Number>> rows;
+  const auto add = [&rows](std::string_view name, std::vector<Number*> numbers) {
+    rows.push_back({std::string(name), std::move(numbers)});
+  };
+  for (std::size_t i = 0; i < kLandmarkCount; ++i) {
+    auto& p_m = anatomy.landmarks_m[i];
+    add(kLandmarks[i].name, {&p_m.x, &p_m.y, &p_m.z});
+  }
+  for (std::size_t i = 0; i < kSegmentCount; ++i) {
+    auto& segment = anatomy.segments[i];
+    auto& c_m = segment.center_of_mass_m;
+    auto& inertia = segment.inertia_kg_m2;
+    add(kSegmentNames[i],
+        {&segment.mass_kg, &c_m.x, &c_m.y, &c_m.z, &inertia.x, &inertia.y, &inertia.z});
+  }
+  for (std::size_t i = 0; i < kCoordinateCount; ++i) {
+    add(kCoordinateNames[i], {&anatomy.ranges[i].lower_rad, &anatomy.ranges[i].upper_rad});
+  }
+  for (std::size_t i = 0; i < kScapulothoracicNames.size(); ++i) {
+    auto& range = anatomy.scapulothoracic_ranges[i];
+    add(kScapulothoracicNames[i], {&range.lower_rad, &range.upper_rad});
+  }
+  const auto add_ellipsoid = [&add](std::string_view name, auto& ellipsoid) {
+    auto& c_m = ellipsoid.center_m;
+    auto& r_m = ellipsoid.radii_m;
+    add(name, {&c_m.x, &c_m.y, &c_m.z, &r_m.x, &r_m.y, &r_m.z});
+  };
+  add_ellipsoid("ribcage", anatomy.ribcage);
+  add_ellipsoid("gliding", anatomy.gliding);
+  for (std::size_t i = 0; i < kLigamentCount; ++i) {
+    auto& ligament = anatomy.ligaments[i];
+    auto& clavicle_m = ligament.clavicle_m;
+    auto& scapula_m = ligament.scapula_m;
+    add(kLigamentNames[i],
+        {&clavicle_m.x, &clavicle_m.y, &clavicle_m.z, &scapula_m.x, &scapula_m.y, &scapula_m.z,
+         &ligament.slack_m, &ligament.stiffness_N_per_m, &ligament.failure_elongation_m,
+         &ligament.published_m, &ligament.published_sd_m});
+  }
+  add("jugular_notch_height", {&anatomy.jugular_notch_height_m});
+  return rows;
+}
+
+constexpr std::string_view kProportionsName = "adult_proportions";
+
+// Texts with a separator between, which is not part of them.
+std::vector<std::string> Parts(std::string_view text, std::string_view separator) {
+  std::vector<std::string> parts;
+  for (std::size_t from = 0; from <= text.size();) {
+    const std::size_t end = std::min(text.find(separator, from), text.size());
+    parts.emplace_back(text.substr(from, end - from));
+    from = end + separator.size();
+  }
+  return parts;
+}
+
+// The numbers of a row that has this name and so many of them; nothing for any other row.
+std::optional<std::vector<double>> NumbersOf(const std::string& row, const std::string& name,
+                                             std::size_t count) {
+  const std::vector<std::string> words = Parts(row, " ");
+  if (words.size() != count + 1 || words.front() != name) {
+    return std::nullopt;
+  }
+  std::vector<double> numbers;
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    const std::optional<double> number = FiniteNumber(words[i]);
+    if (!number) {
+      return std::nullopt;
+    }
+    numbers.push_back(*number);
+  }
+  return numbers;
+}
+
+}  // namespace
+
+std::string AnatomyAsLine(const Anatomy& anatomy) {
+  std::string line;
+  for (const Row<const double>& row : RowsOf<const Anatomy, const double>(anatomy)) {
+    line += row.name;
+    for (const double* const number : row.numbers) {
+      line += ' ';
+      AppendNumber(line, *number);
+    }
+    line += kBetweenRows;
+  }
+  return line + std::string(kProportionsName) + (anatomy.has_adult_proportions ? " 1" : " 0");
+}
+
+Anatomy AnatomyFromLine(const std::string& line, const std::string& place) {
+  constexpr std::size_t kLongestLine = 20'000;
+  const auto fail = [&place](const std::string& name, std::size_t count) {
+    throw InputError(place + ": expected " + name + " with " +
+                     CountText(count, "number") + ". Generate the model again with girdle generate");
+  };
+  Anatomy anatomy;
+  const std::vector<Row<double>> rows = RowsOf<Anatomy, double>(anatomy);
+  const std::vector<std::string> texts =
+      line.size() > kLongestLine ? std::vector<std::string>() : Parts(line, kBetweenRows);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::size_t count = rows[i].numbers.size();
+    const auto numbers =
+        i < texts.size() ? NumbersOf(texts[i], rows[i].name, count) : std::nullopt;
+    if (!numbers) {
+      fail(rows[i].name, count);
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+      *rows[i].numbers[k] = (*numbers)[k];
+    }
+  }
+  const auto adult = texts.size() == rows.size() + 1
+                         ? NumbersOf(texts.back(), std::string(kProportionsName), 1)
+                         : std::nullopt;
+  if (!adult) {
+    fail(std::string(kProportionsName), 1);
+  }
+  anatomy.has_adult_proportions = adult->front() != 0;
+  return anatomy;
+}
+
+}  // namespace girdle

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Girdle authors
+// SPDX-License-Identifier: Apache-2.0
+
+/// Words of the command line that are not known, and what the user meant by them.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+namespace girdle {
+
+/// Throws InputError at the first word of the command line that cannot be right:
+///
+/// - an empty word, or an option with an empty value, which a shell variable without value leaves;
+/// - a first word that is no verb of the program;
+/// - an option that the verb does not have. The message names the option's new name if it was
+///   renamed, the verbs that have it, or the option that it is a slip of.
+///
+/// `words` are those behind the program's name. Values of options are not looked at.
+void ExpectKnownWords(const CLI::App& program, const std::vector<std::string>& words);
+
+}  // namespace girdle
