@@ -57,8 +57,7 @@ class RhythmController {
     JointAngles target_rad;
     Vector3 target_p_TS_m;     ///< position of PAC, if servos drive it
     double axial_isb_rad = 0;  ///< ISB's third angle of the humerus of the aim
-    bool holds =
-        false;  ///< a command is NaN: no force, and the targets are the present joint angles
+    bool holds = false;        ///< a command is NaN: no force, targets are the present angles
   };
 
   void SolveAim(const ArmCommand& command) noexcept;
