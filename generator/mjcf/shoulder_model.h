@@ -72,12 +72,12 @@ struct ShoulderModelOptions {
 ///
 /// Units are radians, meters and kilograms. In the world z is up and x points to the front. In a
 /// model of both shoulders, the landmarks of the thorax that have no side are in the median plane.
-/// Joint coordinates start where all controls are zero: the arm hangs, or is at the lowest position
+/// Joint coordinates start where controls of zero lead: the arm hangs, or is at the lowest position
 /// of a clamped rhythm.
 ///
-/// A ligament pulls from its slack length on. It is the anatomy's, or the ligament's longest length
-/// in the rhythm (on a grid of 1 deg and in relaxed standing), rounded up to 0.1 mm, if that is
-/// longer. So no commanded pose stretches a ligament, but forces that push the joints aside do.
+/// A ligament pulls from its slack length on. This is the anatomy's, or the ligament's longest
+/// length in the rhythm (on a grid of 1 deg and in relaxed standing), rounded up to 0.1 mm, if that
+/// is longer. So no commanded pose stretches a ligament, but forces that push the joints aside do.
 ///
 /// Throws std::invalid_argument if the rhythm leaves the anatomy's joint ranges, which is checked
 /// on a grid of 1 deg. Throws it also if the options name a table that is not the rhythm's, if they
