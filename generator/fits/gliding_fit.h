@@ -16,7 +16,8 @@
 /// the known difference between both surfaces allows: w = 4 mm / 70 mm. 4 mm is the scatter of the
 /// points about their surface. 70 mm is the rms difference of the six numbers between two published
 /// ellipsoids under a scapula (Klein Breteler et al. 1999; Seth et al. 2016). The second term does
-/// not change what the points determine. What they do not determine stays at the ribcage's value.
+/// not change a number that the points determine. A number that they do not determine stays at the
+/// ribcage's value.
 #pragma once
 
 #include <array>

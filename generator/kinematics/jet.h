@@ -7,7 +7,7 @@
 /// by elevation and plane. A Dual is a scalar with one more derivative, along a line that the user
 /// chooses. Formulas are written once, as templates over T. Derivatives follow from the rules of
 /// calculus, so they are exact. For example, with x = Jet(theta) whose derivative by elevation is
-/// 1, SineAndCosineOf(x).sine holds sin(theta) and its derivative cos(theta).
+/// 1, SineAndCosineOf(x).sine contains sin(theta) and its derivative cos(theta).
 #pragma once
 
 #include <array>

@@ -90,8 +90,8 @@ enum class EulerSequence {
 [[nodiscard]] Vector3 EulerFromQuaternion(EulerSequence sequence, const Quaternion& q_AB) noexcept;
 
 /// Returns the rates of intrinsic angles about three different axes (kYXZ, kXZY). `w_AB` is the
-/// angular velocity of B in A, in A's axes. Both are derivatives by the same variable. The result
-/// is not finite at gimbal lock, where the second angle is pi/2 or -pi/2.
+/// angular velocity of B in A, in A's axes. Rates and `w_AB` are derivatives by one variable. The
+/// result is not finite at gimbal lock, where the second angle is pi/2 or -pi/2.
 [[nodiscard]] Vector3 EulerRates(EulerSequence sequence, const Vector3& angles_rad,
                                  const Vector3& w_AB) noexcept;
 

@@ -95,7 +95,7 @@ inline constexpr std::size_t kShorterExpTerms = 6;
 inline constexpr auto kShorterCosine = AlternatingSeries<kShorterExpTerms>(0);
 inline constexpr auto kShorterSine = AlternatingSeries<kShorterExpTerms>(1);
 
-// 6 (W - sin W)/W^3 in powers of W^2, for the same angles.
+// 6 (W - sin W)/W^3 in powers of W^2, for the angles of kSine and kShortSine.
 inline constexpr auto kThird = AlternatingSeries<kExpTerms>(3);
 inline constexpr auto kShortThird = AlternatingSeries<kShortExpTerms + 1>(3);
 

@@ -69,8 +69,8 @@ struct ShoulderPose {
   [[nodiscard]] Quaternion q_TH() const noexcept { return q_TC * q_CS * q_SH; }
 };
 
-/// Where the humerus is in the thorax: the angles Y-X'-Y'' of q_TH, the second one with its sign
-/// reversed.
+/// The direction and turn of the humerus in the thorax: the angles Y-X'-Y'' of q_TH, the second one
+/// with its sign reversed.
 struct ArmAngles {
   double elevation_rad;  ///< angle between the humerus and hanging down, [0, pi]
   double plane_rad;  ///< 0 frontal, pi/2 sagittal (forward), (-pi, pi]; no meaning at elevation 0

@@ -83,7 +83,7 @@ struct RhythmOptions {
 /// Returns the range that an empty RhythmOptions::range means.
 [[nodiscard]] Range DefaultRange(Interpolation interpolation, Closure closure) noexcept;
 
-/// What the shoulder has to do.
+/// A command to the arm: its direction, its axial turn and the offsets of the clavicle.
 struct ArmCommand {
   double elevation_rad = 0;  ///< angle between the humerus and hanging down, [0, pi]
   double plane_rad = 0;      ///< 0 frontal, pi/2 sagittal (forward); whole turns do not matter
@@ -96,7 +96,7 @@ struct ArmCommand {
   [[nodiscard]] bool operator==(const ArmCommand&) const noexcept = default;
 };
 
-/// What a solution is based on.
+/// The basis of a solution.
 enum class Origin {
   kMeasured,  ///< interpolated between measured positions
   kDerived,   ///< interpolated; SC and AC of some position are derived (RhythmPosition::measured)

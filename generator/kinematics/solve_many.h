@@ -17,7 +17,7 @@
 
 namespace girdle {
 
-/// Where the answers are written. Element i of each span answers command i. Every member is
+/// Destinations of the answers. Element i of each span answers command i. Every member is
 /// optional. The spans must not overlap each other or the commands.
 struct ManySolutions {
   /// Rotations of SC, AC and GH (ShoulderSolution::pose).

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// What the sections of an emitted model share: the options, and the values computed from them
-/// once.
+/// Values that the sections of an emitted model share: the options, and everything that is computed
+/// from them once.
 #pragma once
 
 #include <array>

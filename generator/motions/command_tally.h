@@ -26,7 +26,7 @@ struct CommandTally {
   void Add(const CommandTally& other) noexcept;
 };
 
-/// What a tally is about.
+/// The subject of a tally.
 struct TallySubject {
   Range range = Range::kWhole;       ///< of the rhythm that answered the commands
   std::string_view counted = "row";  ///< singular word for what was answered

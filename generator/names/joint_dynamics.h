@@ -42,8 +42,8 @@ struct TranslationDynamics {
 
 /// If the scapula leads: nearly critical for scapula and arm (3 kg), with a lag of 20 ms.
 inline constexpr TranslationDynamics kLeadingTranslation = {10000, 200, 0.05};
-/// If the scapula follows the clavicle, the connect holds it. The connect pushes it back and forth
-/// at long time steps, and the damping prevents ringing: with 300 N s/m the joint opens by
+/// If the scapula follows the clavicle, the connect holds it. At long time steps the connect pushes
+/// it back and forth, and the damping prevents ringing: with 300 N s/m the joint opens by
 /// centimeters at 5 ms. The damping also makes SC lag. With 1000 N s/m it lags so much that a
 /// ligament is stretched.
 inline constexpr TranslationDynamics kFollowingTranslation = {0, 700, 0.05};

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// What leaves the AC joint of a loop open. The plugin and the program use the text of this header.
+/// The reasons why the AC joint of a loop is open. The plugin and the program use the text of this
+/// header.
 #pragma once
 
 #include <string>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// What makes the joints of a compiled model unfit for its servos. The plugin and the program use
-/// the texts of this header.
+/// The reasons why the joints of a compiled model are unfit for its servos. The plugin and the
+/// program use the texts of this header.
 #pragma once
 
 #include <string>

@@ -42,7 +42,7 @@ using TableChoice = std::variant<BuiltInTable, ReadTable>;
 /// Returns the name of a table for reports: its word, its file, or "the model's own".
 [[nodiscard]] std::string TableName(const TableChoice& table);
 
-/// What was chosen of a rhythm. A member that was not chosen is empty.
+/// The chosen properties of a rhythm. A member that was not chosen is empty.
 struct RhythmChoice {
   std::optional<Interpolation> interpolation = std::nullopt;
   std::optional<Closure> closure = std::nullopt;
