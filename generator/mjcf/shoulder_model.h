@@ -80,9 +80,9 @@ struct ShoulderModelOptions {
 /// is longer. So no commanded pose stretches a ligament, but forces that push the joints aside do.
 ///
 /// Throws std::invalid_argument if the rhythm leaves the anatomy's joint ranges, which is checked
-/// on a grid of 1 deg. Throws it also if the options name a table that is not the rhythm's, if they
-/// include rates that the interpolation or the assembly does not have, if they ask for a loop with
-/// a table of fewer than three planes, or if they give commands to a model without plugin.
+/// on a grid of 1 deg. Throws it also if the options exclude each other. They do so if they name a
+/// table that is not the rhythm's, rates that the interpolation or the assembly does not have, a
+/// loop with a table of fewer than three planes, or commands of a model without plugin.
 [[nodiscard]] std::string ShoulderModelXml(const Anatomy& anatomy, const ShoulderRhythm& rhythm,
                                            const ShoulderModelOptions& options = {});
 
