@@ -41,9 +41,9 @@ class MappedShoulder {
   /// Returns the bones at MuJoCo's positions of bodies and sites.
   [[nodiscard]] MappedPose Observe(const mjData& data) const;
 
-  /// Throws InputError if the bones in this state cannot be those of a shoulder: landmarks of a
-  /// frame nearly on a line or less than some centimetres apart, or a scapula that points to the
-  /// side that the mapping does not give.
+  /// Throws InputError if the bones in this state cannot be those of a shoulder. Faults are:
+  /// landmarks of a frame nearly on a line; landmarks of a frame that are not some centimetres
+  /// apart, but closer or farther; a scapula that points to the middle of the body.
   void ExpectSound(const mjData& data) const;
 
  private:

@@ -15,8 +15,8 @@ namespace girdle {
 /// Returns (1 - t) a + t b. Precondition: both have the same bones and vertices.
 [[nodiscard]] SkinWeights Mixed(const SkinWeights& a, const SkinWeights& b, double t);
 
-/// Returns smoothed shares: `steps` times, each vertex moves half the way to the mean of its
-/// neighbours. This removes the rest of creases between bones.
+/// Returns smoothed shares: `steps` times, the shares of each vertex move half the way to the mean
+/// of its neighbours' shares. This removes the rest of creases between bones.
 [[nodiscard]] SkinWeights Smoothed(const TriangleMesh& surface, SkinWeights weights, int steps);
 
 /// Returns the shares of the bones `to` from known shares of the bones `from`. Bones that are not
