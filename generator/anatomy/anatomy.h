@@ -43,6 +43,7 @@ enum class Landmark {
 };
 inline constexpr std::size_t kLandmarkCount = 15;
 
+/// Name and place of a landmark.
 struct LandmarkDefinition {
   std::string_view name;
   Segment segment;    ///< the segment in whose frame it is given
@@ -124,6 +125,8 @@ struct Ligament {
   double published_sd_m = 0;        ///< standard deviation of the published length
 };
 
+/// The anatomy of one right shoulder. Lengths are meters in the frame of the named segment, angles
+/// radians.
 struct Anatomy {
   std::array<Vector3, kLandmarkCount> landmarks_m{};  ///< each in the frame of its own segment
   std::array<SegmentInertia, kSegmentCount> segments{};

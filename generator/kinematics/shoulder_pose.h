@@ -78,6 +78,7 @@ struct ArmAngles {
   double axial_rad;  ///< turn about the long axis after plane and elevation, internal +, (-pi, pi]
 };
 
+/// Returns the pose of a right shoulder with these nine angles [rad].
 [[nodiscard]] ShoulderPose PoseFromAngles(const JointAngles& angles_rad) noexcept;
 
 /// GH's axial angle is given within half a turn of this one [rad]. It is about the middle of what a
@@ -93,6 +94,9 @@ inline constexpr double kGhAxialMiddle_rad = -kPi / 4;
 /// humerus in the thorax. q_SH = (q_TC q_CS)^-1 q_TH with q_TC, q_CS of `at` and q_TH of `pose`.
 [[nodiscard]] ShoulderPose FrozenGirdle(const ShoulderPose& pose, const ShoulderPose& at) noexcept;
 
+/// Returns the arm angles of the humerus in the thorax. At elevation 0 only the sum of plane and
+/// axial is determined, and at pi only their difference. The result is then one pair of angles that
+/// gives the rotation.
 [[nodiscard]] ArmAngles ArmAnglesFromRotation(const Quaternion& q_TH) noexcept;
 
 }  // namespace girdle

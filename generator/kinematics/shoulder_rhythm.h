@@ -159,6 +159,7 @@ struct AngleDerivatives {
   double by_plane_twice;
 };
 
+/// First and second derivatives of a pose: of its rotations, and of its joint coordinates.
 struct ShoulderDerivatives {
   std::array<RotationDerivatives, kJointCount> joints;
   std::array<AngleDerivatives, kCoordinateCount> angles;  ///< in the order of kCoordinateNames

@@ -44,6 +44,7 @@ enum class Instructions {
 /// Returns whether this processor has these instructions and Girdle's compiler supports them.
 [[nodiscard]] bool HasInstructions(Instructions instructions) noexcept;
 
+/// How SolveMany uses the machine. No option changes an answer.
 struct SolveManyOptions {
   /// Number of threads, at least 1. The calling thread is one of them. Fewer are started if there
   /// is less work.

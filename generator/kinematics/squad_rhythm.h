@@ -21,6 +21,8 @@ namespace girdle {
 /// Rotations of the joints of a shoulder: SC, AC, GH.
 using JointRotations = std::array<Quaternion, kJointCount>;
 
+/// Interpolates the joints of a table by equations (4) to (12). Immutable. Evaluation is
+/// thread-safe and allocates nothing.
 class SquadRhythm {
  public:
   /// Uses squad if `smooths` is true, otherwise slerp. Throws std::invalid_argument if neighbouring

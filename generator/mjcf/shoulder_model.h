@@ -47,6 +47,8 @@ struct SkinElement {
   std::vector<std::array<std::vector<int>, kSkinLandmarkCount>> landmarks;
 };
 
+/// Options of a model. ShoulderModelXml throws if an option is set that is for another actuation,
+/// assembly or lead.
 struct ShoulderModelOptions {
   Sides sides = Sides::kRight;
   Assembly assembly = Assembly::kTree;

@@ -26,6 +26,7 @@ inline constexpr double kLongestMotion_s = 3600;
 /// A year [s], the longest motion that can be allowed. The number of steps then stays countable.
 inline constexpr double kLongestMotionAskedFor_s = 365 * 86400.0;
 
+/// A motion: commands from time 0 to `duration_s`.
 struct Motion {
   std::string name;
   double duration_s = 0;
