@@ -99,3 +99,60 @@ def test_every_stand_in_is_for_a_line_of_a_document() -> None:
         for line in block.text.splitlines()
     }
     assert set(STAND_INS) <= typed, sorted(set(STAND_INS) - typed)
+
+
+# --- The comparison itself can fail --------------------------------------------------------------
+
+PRINTED = """model  a.xml
+
+item   value      unit
+first  2.37       deg
+second  1.2e-13   mm
+third  5          mm
+"""
+
+
+@pytest.mark.parametrize(
+    "shown",
+    [
+        "model  a.xml\nitem   value      unit",
+        "first  2.37   deg\n...\nthird   5   mm",
+        "...\nitem   value   unit\n...",
+        "first  2.37       deg\nsecond  3.4e-14   mm",
+    ],
+    ids=["from the start", "with a line left out", "from the middle", "with another rounding"],
+)
+def test_an_excerpt_of_what_is_printed_is_found(shown: str) -> None:
+    assert first_difference(shown, PRINTED) == ""
+
+
+@pytest.mark.parametrize(
+    ("shown", "wrong"),
+    [
+        ("first  2.38       deg", "first  2.38       deg"),
+        ("first  2.37       deg\nthird  5          mm", "third  5          mm"),
+        ("third  5          mm\n...\nfirst  2.37       deg", "first  2.37       deg"),
+        ("model  a.xml\nfourth 4          mm", "fourth 4          mm"),
+    ],
+    ids=["another value", "a line left out in silence", "another order", "a line of its own"],
+)
+def test_what_is_not_printed_so_is_named(shown: str, wrong: str) -> None:
+    assert first_difference(shown, PRINTED) == wrong
+
+
+def test_a_document_whose_command_fails_is_named_with_the_command(
+    tmp_path: Path, checkout: Path, environment: dict[str, str]
+) -> None:
+    failing = tmp_path / "failing.md"
+    failing.write_text("```sh\necho before\ngirdle solve --elevation none # comment\n```\n", encoding="utf-8")
+    with pytest.raises(AssertionError, match="stopped at: girdle solve --elevation none"):
+        type_document(Document(str(failing)), checkout, environment)
+
+
+def test_a_line_that_ends_otherwise_than_its_comment_says_fails(
+    tmp_path: Path, checkout: Path, environment: dict[str, str]
+) -> None:
+    wrong = tmp_path / "wrong.md"
+    wrong.write_text("```sh\ngirdle --version # exit status 1\n```\n", encoding="utf-8")
+    with pytest.raises(AssertionError, match="stopped at"):
+        type_document(Document(str(wrong)), checkout, environment)
