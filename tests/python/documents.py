@@ -175,17 +175,22 @@ def type_document(document: Document, folder: Path, environment: Mapping[str, st
 LEFT_OUT = "..."
 TINY = re.compile(r"-?([0-9.]+e-(?:0[7-9]|1[0-9])|0\.000[0-9]+|0|0\.0+)")
 
+TOLERANCE = re.compile(r"(> )?[0-9.]+(e-\d\d)? \S+( .+)?|none, .+")
+
 
 def without_rounding(line: str) -> tuple[str, ...]:
     """Columns of a line without those that rounding makes: a tiny value, and where it is largest."""
     columns = re.split(r" {2,}", line.strip())
     kept = ["tiny" if TINY.fullmatch(column) else column for column in columns]
-    is_report = len(kept) in (6, 7) and kept[-2] in ("pass", "FAIL", "stated", "follows")
-    return tuple(kept[:-1] if is_report else kept)
+    in_report = len(kept) in (6, 7) and kept[-2] in ("pass", "FAIL", "stated", "follows")
+    in_summary = len(kept) == 5 and TOLERANCE.fullmatch(kept[2])
+    return tuple(kept[:-1] if in_report or in_summary else kept)
 
 
 def of_any_machine(line: str) -> tuple[str, ...]:
     """Words of a line without the paths and numbers of one machine."""
+    if line.startswith("  found by "):
+        return ("found", "by")
     return tuple(re.sub(r"\d+", "N", re.sub(r"[^\s\"(]*/[^\s\")]*", "PATH", line)).split())
 
 

@@ -72,7 +72,9 @@ def options(run_program: RunProgram) -> dict[str, set[str]]:
 
     @functools.cache
     def words(*arguments: str) -> set[str]:
-        return set(re.findall(r"--[a-z][a-z-]*", run_program(*arguments, "--help")))
+        return set(
+            re.findall(r"^  (?:-\w,)?(--[a-z][a-z-]*)", run_program(*arguments, "--help"), re.MULTILINE)
+        )
 
     verbs = re.findall(r"^  ([a-z][a-z-]*)  ", run_program("--help"), flags=re.MULTILINE)
     return {verb: words(verb) for verb in verbs}
