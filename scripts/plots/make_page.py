@@ -159,7 +159,7 @@ def make_all(girdle: Girdle, body_folder: Path | None, notes: list[str], quick: 
     girdle.take_commands()
     makers = [implicit_body]
     if body_folder is not None:
-        # First on the page: a man is more like the reader than solids are.
+        # The man comes first: he is easier to recognise than the solids.
         makers.insert(0, partial(human_body, folder=body_folder))
     # First: what is wrong with a body shows before anything is drawn.
     bodies = []

@@ -13,7 +13,7 @@ from scapular_rhythm import ANGLES, FROZEN, GIRDLE, curve
 from skin_near_ac import SkinReport
 
 MAP_FILE = "outcome.csv"
-# Here the measured table has positions that nothing derived.
+# Between these elevations all angles of the table are measured, none is derived.
 FROM_ELEVATION_DEG, TO_ELEVATION_DEG = 30, 120
 PLANE_DEG = 40
 ROTATION = "st_upward_rotation"

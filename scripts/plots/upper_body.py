@@ -27,14 +27,15 @@ GIRDLES = {
     "frozen": ("Frozen girdle", "the arm turns in the glenohumeral joint alone"),
 }
 
-# Dark enough for the letters of the labels, and as far apart as Okabe and Ito's.
+# Okabe and Ito's orange, blue and green, darkened so that labels in them can be read.
 BONES = {"clavicle": (0.84, 0.47, 0.0), "scapula": (0.0, 0.40, 0.70), "humerus": (0.0, 0.55, 0.38)}
 RIBCAGE = "ribcage"
 RIBCAGE_COLOR = (0.62, 0.64, 0.68)
-# What a layer shows of the bones.
+# The bones that a layer shows.
 MOVING, RIBS = "moving_bones", "ribs"
-LAYERS = {RIBS: 0.45, MOVING: 0.96}  # with how much of it covers the skin
-# Share of its own colour that the skin keeps; the rest is white.
+# Opacity of each layer over the skin.
+LAYERS = {RIBS: 0.45, MOVING: 0.96}
+# The skin keeps this share of its own colour; the rest is white.
 SKIN_SHARE = 0.62
 
 # A long lens from far away: both shoulders are seen straight from behind.
@@ -45,7 +46,7 @@ SIZE = 2400
 QUICK_SIZE = 300
 # Empty room around the body, as a share of the picture that the program draws.
 MARGIN = 0.02
-BODY_TONE = 0.985  # what is darker than that is no background
+BODY_TONE = 0.985  # a darker pixel shows the body, a lighter one the background
 
 # Where a label stands, to the right of and below the middle of its bone, in the plane through the
 # spine that the camera looks at.
