@@ -167,9 +167,7 @@ def page(figures: Path) -> Page:
 
 
 @pytest.fixture(scope="session")
-def figures_without_gl(
-    program: Path, figures: Path, tmp_path_factory: pytest.TempPathFactory
-) -> Path:
+def figures_without_gl(program: Path, figures: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The same of a machine that cannot draw, in the place of an earlier page."""
     out = tmp_path_factory.mktemp("without_gl") / "figures"
     out.mkdir()
@@ -247,9 +245,7 @@ def test_the_page_shows_a_figure_with_its_words_and_commands(page: Page, name: s
     assert all(len(row) == len(table[0]) for table in section.tables for row in table)
 
 
-def test_every_file_that_the_page_names_is_there_and_nothing_is_fetched(
-    figures: Path, page: Page
-) -> None:
+def test_every_file_that_the_page_names_is_there_and_nothing_is_fetched(figures: Path, page: Page) -> None:
     sections = page.sections.values()
     pictures = [picture["src"] for section in sections for picture in section.pictures]
     links = [link for section in sections for link in section.links if not link.startswith("#")]
@@ -307,8 +303,7 @@ def test_the_corner_of_the_elbows_path_is_that_of_secants_ever_shorter(
 ) -> None:
     """By another step and formula than the figure's."""
     before, at, behind = (
-        elbow_mm(run_program, elevation, plane, interpolation)
-        for plane in ("39.999", "40", "40.001")
+        elbow_mm(run_program, elevation, plane, interpolation) for plane in ("39.999", "40", "40.001")
     )
     first, second = at - before, behind - at
     cosine = first @ second / np.linalg.norm(first) / np.linalg.norm(second)
@@ -336,9 +331,7 @@ def test_jumps_of_velocity_are_those_of_continuity(page: Page, run_program: RunP
         assert [float(text) for text in row] == pytest.approx(expected, rel=TWO_DIGITS_SHARE)
 
 
-def test_axial_rotations_of_the_rhythm_are_those_of_solve(
-    page: Page, run_program: RunProgram
-) -> None:
+def test_axial_rotations_of_the_rhythm_are_those_of_solve(page: Page, run_program: RunProgram) -> None:
     header, *rows = page.sections["axial_zero"].tables[0]
     planes = [name.removeprefix("plane ") for name in header[1:]]
     shown = 0
@@ -369,9 +362,7 @@ def test_the_page_begins_with_how_far_the_bones_turn(page: Page, run_program: Ru
         return [float(angle) for angle in np.degrees(radians)]
 
     turned = np.subtract(upward_and_tilt_deg(high), upward_and_tilt_deg(low))
-    clavicle = [
-        float(low[name]) - float(high[name]) for name in ("sc_elevation_deg", "sc_protraction_deg")
-    ]
+    clavicle = [float(low[name]) - float(high[name]) for name in ("sc_elevation_deg", "sc_protraction_deg")]
     first, _, _ = opening(page)
     assert numbers_in(first) == pytest.approx([*turned, *clavicle], abs=ONE_DECIMAL)
 
@@ -387,18 +378,14 @@ def test_the_page_says_how_far_other_rhythms_are(page: Page, run_program: RunPro
     }
     _, second, _ = opening(page)
     (closest,) = re.findall("the closest of the other rhythms, (.*), misses", second)
-    assert numbers_in(second) == pytest.approx(
-        [*apart["frozen girdle"], *apart[closest]], abs=ONE_DECIMAL
-    )
+    assert numbers_in(second) == pytest.approx([*apart["frozen girdle"], *apart[closest]], abs=ONE_DECIMAL)
     others = {name: rms for name, (rms, _) in apart.items() if name not in ("Girdle", "frozen girdle")}
     assert others[closest] == min(others.values())
 
 
 def test_the_page_says_how_the_skin_rises(page: Page, skin_lines: tuple[Lines, Lines]) -> None:
     item = "acromion's skin rises, plane 0, right"
-    measured, frozen = (
-        next(line["value"] for line in lines if line["item"] == item) for lines in skin_lines
-    )
+    measured, frozen = (next(line["value"] for line in lines if line["item"] == item) for lines in skin_lines)
     _, _, third = opening(page)
     assert numbers_in(third) == pytest.approx([abs(measured), abs(frozen)], abs=ONE_DECIMAL)
     assert re.findall("rises|sinks", third) == ["rises" if mm >= 0 else "sinks" for mm in (measured, frozen)]
@@ -429,9 +416,7 @@ def test_angles_in_the_thorax_are_those_of_the_table_and_of_compare(
     }
 
     def plotted(rows: list[dict[str, str]], plane: str, elevation: str) -> list[float]:
-        (row,) = (
-            row for row in rows if (row["plane_deg"], row["elevation_deg"]) == (plane, elevation)
-        )
+        (row,) = (row for row in rows if (row["plane_deg"], row["elevation_deg"]) == (plane, elevation))
         return [sign * float(row[column]) for column, sign in signs.items()]
 
     shown = table_by_row(page, "scapular_rhythm")
@@ -492,18 +477,14 @@ def test_upward_rotation_on_the_map_is_that_of_compare(page: Page, run_program: 
 
 
 def yxz_deg(row: dict[str, str], joint: str) -> np.ndarray:
-    y, x, z = (
-        np.radians(float(text)) for name, text in row.items() if name.startswith(f"{joint}_")
-    )
+    y, x, z = (np.radians(float(text)) for name, text in row.items() if name.startswith(f"{joint}_"))
     about_y = [[np.cos(y), 0, np.sin(y)], [0, 1, 0], [-np.sin(y), 0, np.cos(y)]]
     about_x = [[1, 0, 0], [0, np.cos(x), -np.sin(x)], [0, np.sin(x), np.cos(x)]]
     about_z = [[np.cos(z), -np.sin(z), 0], [np.sin(z), np.cos(z), 0], [0, 0, 1]]
     return np.array(about_y) @ np.array(about_x) @ np.array(about_z)
 
 
-def test_differences_of_published_rhythms_are_those_of_compare(
-    page: Page, run_program: RunProgram
-) -> None:
+def test_differences_of_published_rhythms_are_those_of_compare(page: Page, run_program: RunProgram) -> None:
     shown = table_by_row(page, "maps_of_published_rhythms")
     words = ("--elevation", "0:180:15", "--plane", "-105:135:15", "--json")
     rhythms = json.loads(run_program("compare", *words))["rhythms"]
@@ -577,9 +558,7 @@ def test_a_remark_stands_on_the_page(figures_without_gl: Path) -> None:
 
 
 @pytest.mark.parametrize("verb", ["generate", "solve", "continuity"])
-def test_a_failing_program_is_reported_and_leaves_nothing(
-    program: Path, tmp_path: Path, verb: str
-) -> None:
+def test_a_failing_program_is_reported_and_leaves_nothing(program: Path, tmp_path: Path, verb: str) -> None:
     script = failing_program(program, tmp_path, verb)
     before = contents(tmp_path)
     # Without OpenGL, since the pictures are none of this.
@@ -636,4 +615,3 @@ def test_the_script_refuses_a_command_line_that_it_does_not_know(
     assert finished.returncode == REFUSED
     assert "Usage: scripts/figures" in finished.stderr
     assert contents(tmp_path) == {}
-
