@@ -11,6 +11,7 @@
 
 #include "kinematics/lengths.h"
 #include "text/csv.h"
+#include "text/near_names.h"
 #include "text/number_text.h"
 
 namespace girdle {
@@ -43,7 +44,8 @@ class NamedRows {
     const std::string_view key = csv_.Field(key_);
     const auto found = std::find(names_.begin(), names_.end(), key);
     if (found == names_.end()) {
-      csv_.Fail("'" + std::string(key) + "' is not known");
+      csv_.Fail("'" + std::string(key) + "' is not known. " + DidYouMean(key, names_) +
+                "Correct the name or remove the row");
     }
     const auto index = static_cast<std::size_t>(found - names_.begin());
     if (seen_[index]) {

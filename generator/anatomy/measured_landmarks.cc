@@ -9,6 +9,7 @@
 #include "anatomy/person_landmarks.h"
 #include "kinematics/lengths.h"
 #include "text/input_error.h"
+#include "text/near_names.h"
 #include "text/number_text.h"
 
 namespace girdle {
@@ -159,7 +160,8 @@ Landmark MeasuredLandmarks::KnownLandmark(std::string_view name) const {
     for (const LandmarkDefinition& definition : kLandmarks) {
       known += (known.empty() ? "" : " ") + std::string(definition.name);
     }
-    csv_.Fail("'" + std::string(name) + "' is not a landmark. Known are " + known +
+    csv_.Fail("'" + std::string(name) + "' is not a landmark. " +
+              DidYouMean(name, kLandmarkNames) + "Known are " + known +
               ", AC for PAC, and HH1 HH2 ... for points of the humeral head");
   }
   return *landmark;

@@ -9,6 +9,7 @@
 #include "kinematics/rotation.h"
 #include "rhythms/built_in_files.h"
 #include "text/csv.h"
+#include "text/near_names.h"
 
 namespace girdle {
 namespace {
@@ -40,7 +41,8 @@ RhythmCoefficients ReadRhythmCoefficients(std::istream& in, const std::string& n
     const auto known =
         std::find(kGirdleAngleNames.begin(), kGirdleAngleNames.end(), csv.Field(angle));
     if (known == kGirdleAngleNames.end()) {
-      csv.Fail("angle '" + std::string(csv.Field(angle)) + "' is not known");
+      csv.Fail("angle '" + std::string(csv.Field(angle)) + "' is not known. " +
+               DidYouMean(csv.Field(angle), kGirdleAngleNames) + "Correct the name");
     }
     std::optional<LinearAngle>& place =
         coefficients[std::string(csv.Field(rhythm))]

@@ -8,6 +8,7 @@
 
 #include "text/csv.h"
 #include "text/input_error.h"
+#include "text/near_names.h"
 
 namespace girdle {
 namespace {
@@ -32,6 +33,17 @@ std::string Listed(const Names& names) {
     text += (text.empty() ? "" : ", ") + std::string(name);
   }
   return text;
+}
+
+// What the user meant by a part that is not known; ends in a blank unless empty.
+std::string MeantPart(std::string_view part) {
+  std::vector<std::string_view> known(kSegmentNames.begin(), kSegmentNames.end());
+  for (const std::string_view landmark : kLandmarkNames) {
+    known.push_back(landmark);
+  }
+  known.push_back(kSide);
+  known.push_back(kArm);
+  return DidYouMean(part, known);
 }
 
 std::string Quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
@@ -83,7 +95,8 @@ class MappingReader {
     } else if (const auto segment = IndexOf(kSegmentNames, part)) {
       ReadBone(*segment);
     } else {
-      csv_.Fail("part " + Quoted(part) + " is not known. Choose one of: " + std::string(kSide) +
+      csv_.Fail("part " + Quoted(part) + " is not known. " + MeantPart(part) +
+                "Choose one of: " + std::string(kSide) +
                 ", " + std::string(kArm) + ", " + Listed(kSegmentNames) +
                 ", or a landmark: " + Listed(kLandmarkNames));
     }
@@ -96,7 +109,8 @@ class MappingReader {
     }
     const auto side = FromName<Side>(csv_.Field(name_));
     if (!side) {
-      csv_.Fail("side " + Quoted(csv_.Field(name_)) + " is not known. Choose right or left");
+      csv_.Fail("side " + Quoted(csv_.Field(name_)) + " is not known. " +
+                DidYouMean(csv_.Field(name_), kSideNames) + "Choose right or left");
     }
     ExpectOnly({});
     mapping_.side = *side;

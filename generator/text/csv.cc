@@ -299,7 +299,8 @@ bool CsvReader::HasColumn(std::string_view column) const noexcept {
 void CsvReader::ExpectOnlyColumns(const std::vector<std::string_view>& known) const {
   for (const std::string& column : columns()) {
     if (std::find(known.begin(), known.end(), column) == known.end()) {
-      Fail("column '" + column + "' is not known. Remove it or correct its name");
+      Fail("column '" + column + "' is not known. " + DidYouMean(column, known) +
+           "Remove it or correct its name");
     }
   }
 }
