@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// All of Girdle that other projects may use: solving poses, reading tables, the anatomy that is
-/// built in, names in models, and writing models. What these headers declare stays as it is from
-/// one minor version to the next; generator/README.md lists them.
+/// All of Girdle that other projects may use: solving poses, reading tables, the built-in anatomy,
+/// names in models, and writing models. The declarations of these headers do not change between
+/// minor versions. generator/README.md lists them.
 ///
 ///     #include <girdle/girdle.h>
 ///
@@ -11,9 +11,9 @@
 ///     const girdle::ShoulderPose pose =
 ///         rhythm.SolvePose({.elevation_rad = girdle::RadiansFromDegrees(90)});
 ///
-/// Reading and building throw InputError (text/input_error.h) or std::invalid_argument, whose
-/// message says what to mend. Solving never fails, allocates nothing and may run in any number of
-/// threads at the same time.
+/// Functions that read or build throw InputError (text/input_error.h) or std::invalid_argument. The
+/// message says how to mend the fault. Functions that solve never fail and allocate nothing, and
+/// any number of threads may call them at the same time.
 #pragma once
 
 // IWYU pragma: begin_exports

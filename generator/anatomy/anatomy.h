@@ -23,7 +23,7 @@ inline constexpr std::array<std::string_view, kSegmentCount> kSegmentNames = {"t
                                                                               "scapula", "humerus"};
 constexpr const auto& WordsOf(Segment /*which*/) noexcept { return kSegmentNames; }
 
-/// Bony landmarks, ISB abbreviations.
+/// Bony landmarks, with the abbreviations of the ISB.
 enum class Landmark {
   kIJ,   ///< jugular notch, the thorax's origin
   kPX,   ///< xiphoid process
@@ -43,13 +43,14 @@ enum class Landmark {
 };
 inline constexpr std::size_t kLandmarkCount = 15;
 
+/// Name and place of a landmark.
 struct LandmarkDefinition {
   std::string_view name;
-  Segment segment;    ///< in whose frame it is given
-  bool sided = true;  ///< false in the mid-plane of the body
+  Segment segment;    ///< the segment in whose frame it is given
+  bool sided = true;  ///< false for landmarks in the median plane of the body
 };
 
-/// In the order of Landmark.
+/// Definitions in the order of Landmark.
 inline constexpr std::array<LandmarkDefinition, kLandmarkCount> kLandmarks = {{
     {"IJ", Segment::kThorax, false},
     {"PX", Segment::kThorax, false},
@@ -80,28 +81,30 @@ constexpr const auto& WordsOf(Landmark /*which*/) noexcept { return kLandmarkNam
   return kLandmarks[static_cast<std::size_t>(landmark)];
 }
 
-/// Landmarks of the scapula's medial border: what glides on the thorax.
+/// Landmarks of the scapula's medial border, which glides on the thorax.
 inline constexpr std::array<Landmark, 2> kGlidingLandmarks = {Landmark::kTS, Landmark::kAI};
 
-/// Mass properties in the segment's own frame; the principal axes are the frame's.
+/// Mass properties in the segment's own frame. The principal axes of inertia are the axes of that
+/// frame.
 struct SegmentInertia {
   double mass_kg = 0;
   Vector3 center_of_mass_m{0, 0, 0};
   Vector3 inertia_kg_m2{0, 0, 0};  ///< about the centre of mass, along x, y, z
 };
 
-/// Surface in the thorax frame, axes parallel to it.
+/// An ellipsoid in the thorax frame. Its axes are parallel to those of the frame.
 struct Ellipsoid {
   Vector3 center_m{0, 0, 0};
   Vector3 radii_m{0, 0, 0};
 };
 
-/// Stature of the person of data/ [m]. The specimen's own is not known to us. It is that of a man
-/// with such a humerus (Trotter and Gleser 1952: 3.08 x length + 70.45 cm, standard error 4 cm),
-/// which over all is GH to elbow, 2.3 cm of head above and 1.5 cm of joint surface below.
+/// Stature [m] of the person of data/. The stature of the measured specimen is unknown. This is the
+/// stature of a man with such a humerus (Trotter and Gleser 1952: 3.08 x length + 70.45 cm,
+/// standard error 4 cm). The length is that of the whole humerus: GH to elbow, plus 2.3 cm of head
+/// above and 1.5 cm of joint surface below.
 inline constexpr double kAdultStature_m = 1.71;
-/// Height of a standing person's jugular notch as a share of the stature (shoulder height of
-/// Drillis and Contini 1966, which is that of the notch).
+/// Height of a standing person's jugular notch as a share of the stature. It is the shoulder height
+/// of Drillis and Contini 1966, which is that of the notch.
 inline constexpr double kJugularNotchShare = 0.82;
 /// The two parts of the coracoclavicular ligament.
 enum class LigamentName { kConoid, kTrapezoid };
@@ -110,34 +113,36 @@ inline constexpr std::array<std::string_view, kLigamentCount> kLigamentNames = {
                                                                                 "trapezoid"};
 constexpr const auto& WordsOf(LigamentName /*which*/) noexcept { return kLigamentNames; }
 
-/// A straight band from the clavicle to the scapula that pulls when it is longer than slack and
-/// never pushes.
+/// A straight band from the clavicle to the scapula. It pulls if it is longer than its slack length
+/// and never pushes.
 struct Ligament {
   Vector3 clavicle_m{0, 0, 0};  ///< attachment, clavicle frame
   Vector3 scapula_m{0, 0, 0};   ///< attachment, scapula frame
   double slack_m = 0;           ///< longest length without force
   double stiffness_N_per_m = 0;
-  double failure_elongation_m = 0;  ///< beyond slack, where ligaments tear
-  double published_m = 0;           ///< length measured in cadavers, for comparison only: mean ...
-  double published_sd_m = 0;        ///< ... and standard deviation
+  double failure_elongation_m = 0;  ///< beyond slack; a ligament tears at this elongation
+  double published_m = 0;           ///< length measured in cadavers, mean; for comparison only
+  double published_sd_m = 0;        ///< standard deviation of the published length
 };
 
+/// The anatomy of one right shoulder. Lengths are meters in the frame of the named segment, angles
+/// radians.
 struct Anatomy {
-  std::array<Vector3, kLandmarkCount> landmarks_m{};  ///< each in the frame of its segment
+  std::array<Vector3, kLandmarkCount> landmarks_m{};  ///< each in the frame of its own segment
   std::array<SegmentInertia, kSegmentCount> segments{};
   JointRanges ranges{};
-  /// Of the scapula in the thorax, in the order of kScapulothoracicNames.
+  /// Ranges of the scapula in the thorax, in the order of kScapulothoracicNames.
   std::array<CoordinateRange, 3> scapulothoracic_ranges{};
-  Ellipsoid ribcage;                                 ///< what is drawn as the thorax
-  Ellipsoid gliding;                                 ///< what the scapula glides on
+  Ellipsoid ribcage;                                 ///< the surface that is drawn as the thorax
+  Ellipsoid gliding;                                 ///< the surface that the scapula glides on
   std::array<Ligament, kLigamentCount> ligaments{};  ///< in the order of LigamentName
-  /// How GH was found where it was not measured, a sentence without its subject and its full stop;
-  /// empty otherwise.
+  /// How GH was found if it was not measured; empty if it was measured. The text is a sentence
+  /// without its subject and its full stop.
   std::string gh_origin;
-  /// Whether the bones are those of data/, or grown alike: only of these it is known how near TS
-  /// and AI keep to `gliding`.
+  /// Whether the bones are those of data/ or scaled copies of them. Only for these it is known how
+  /// closely TS and AI follow `gliding`.
   bool has_adult_proportions = true;
-  /// Of IJ above the floor in standing.
+  /// Height of IJ above the floor in standing.
   double jugular_notch_height_m = kJugularNotchShare * kAdultStature_m;
 
   [[nodiscard]] const Vector3& landmark_m(Landmark landmark) const noexcept {
@@ -149,23 +154,23 @@ struct Anatomy {
   [[nodiscard]] const Ligament& ligament(LigamentName name) const noexcept {
     return ligaments[static_cast<std::size_t>(name)];
   }
-  /// Middle between the epicondyles, humerus frame [m].
+  /// Midpoint of the epicondyles [m], in the humerus frame.
   [[nodiscard]] Vector3 elbow_m() const noexcept {
     return (landmark_m(Landmark::kEM) + landmark_m(Landmark::kEL)) / 2.0;
   }
 };
 
-/// Where a landmark of the thorax that has no side is in a model of both shoulders: in the median
-/// plane. The thorax frame, which halves it, stays.
+/// Returns the position of a thorax landmark without side in a model of both shoulders: in the
+/// median plane. The thorax frame does not change.
 [[nodiscard]] inline Vector3 InMedianPlane(const Vector3& p_T) noexcept {
   return {p_T.x, p_T.y, 0};
 }
 
-/// Each reads one file of an anatomy into `anatomy` and throws InputError, with file and line, at
-/// the first value that cannot be: unknown, missing or repeated rows, a landmark given in another
-/// segment's frame or more than a metre away (millimetres where metres are meant), a mass, inertia
-/// or radius that is not positive, an inertia that no body can have, an empty range, a ligament
-/// longer than a shoulder or without stiffness.
+/// Each function reads one file of an anatomy into `anatomy`. It throws InputError, with file and
+/// line, at the first invalid value. Invalid are: unknown, missing or repeated rows; a landmark in
+/// the frame of another segment; a landmark more than a metre away (millimetres instead of metres);
+/// a mass, inertia or radius that is not positive; an inertia that no body can have; an empty
+/// range; a ligament that is longer than a shoulder or has no stiffness.
 void ReadLandmarks(std::istream& in, const std::string& name, Anatomy& anatomy);
 void ReadSegments(std::istream& in, const std::string& name, Anatomy& anatomy);
 void ReadJointRanges(std::istream& in, const std::string& name, Anatomy& anatomy);
@@ -173,13 +178,14 @@ void ReadThoraxEllipsoids(std::istream& in, const std::string& name, Anatomy& an
 void ReadLigaments(std::istream& in, const std::string& name, Anatomy& anatomy);
 
 /// Returns the anatomy's landmarks as a file that ReadLandmarks and ReadPersonAnatomy read:
-/// `comments`, each a line that begins with `#`, the header, the rows. Numbers read back as they
-/// are.
+/// `comments`, each a line that begins with `#`, then the header, then the rows. Reading the file
+/// gives exactly the same numbers.
 [[nodiscard]] std::string LandmarksToCsv(const Anatomy& anatomy,
                                          const std::vector<std::string>& comments);
 
 /// Returns the anatomy's ellipsoids as a file that ReadThoraxEllipsoids reads: `comments`, each a
-/// line that begins with `#`, the header, the rows. Numbers are rounded to kLengthDecimals.
+/// line that begins with `#`, then the header, then the rows. Numbers are rounded to
+/// kLengthDecimals.
 [[nodiscard]] std::string ThoraxEllipsoidsToCsv(const Anatomy& anatomy,
                                                 const std::vector<std::string>& comments);
 

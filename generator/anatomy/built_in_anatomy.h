@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// The anatomy and postures of `data/`, compiled in, so that nothing has to be found at run time.
+/// The anatomy and postures of `data/`, compiled into the program, so that no file has to be found
+/// at run time.
 #pragma once
 
 #include "anatomy/anatomy.h"
@@ -13,7 +14,7 @@ namespace girdle {
 /// ligaments).
 [[nodiscard]] Anatomy BuiltInAnatomy();
 
-/// Returns SC and AC of relaxed standing (data/postures.csv).
+/// Returns SC and AC in relaxed standing (data/postures.csv).
 [[nodiscard]] Posture RelaxedStanding();
 
 }  // namespace girdle

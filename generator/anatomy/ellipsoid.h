@@ -1,22 +1,23 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// Points and the surface of an ellipsoid, such as the one that the scapula glides on.
+/// The nearest point and the distance of an ellipsoid's surface, for example that on which the
+/// scapula glides.
 #pragma once
 
 #include "anatomy/anatomy.h"
 
 namespace girdle {
 
-/// The point of a surface that is nearest to another point.
+/// The point of a surface that is nearest to a given point.
 struct SurfacePoint {
   Vector3 position_m;  ///< in the ellipsoid's frame
-  Vector3 normal;      ///< of length 1, outward
-  double distance_m;   ///< of the other point, positive outside
+  Vector3 normal;      ///< unit vector, outward
+  double distance_m;   ///< of the given point from the surface, positive outside
 };
 
-/// Returns the nearest point of the surface, exact to rounding for any point; where several are as
-/// near, deep inside, one of them. Radii must be positive.
+/// Returns the nearest point of the surface, exact to rounding for any point. Deep inside, several
+/// points may be equally near; the result is then one of them. Precondition: radii are positive.
 [[nodiscard]] SurfacePoint NearestOnEllipsoid(const Ellipsoid& ellipsoid,
                                               const Vector3& point_m) noexcept;
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// GH of a person whose landmarks were measured.
+/// Finds GH of a person whose other landmarks were measured.
 #pragma once
 
 #include <string>
@@ -11,11 +11,12 @@
 
 namespace girdle {
 
-/// Adds GH to landmarks that lack it: the centre of the sphere through points of the humeral head,
-/// or else an estimate from the scapula's landmarks (humeral_head.h). Returns how it was found and
-/// how well, for Anatomy::gh_origin; an empty text if a row gives GH, which stays. `adult` shows
-/// how far the estimate is from a GH that is known. Throws InputError, at the last of the points,
-/// for points that tell no sphere or one of another size than a humeral head.
+/// Adds GH to landmarks that lack it. GH is the centre of the sphere through points of the humeral
+/// head, if there are such points; otherwise it is estimated from the scapula's landmarks
+/// (humeral_head.h). Returns how GH was found and how precisely, for Anatomy::gh_origin. If a row
+/// gives GH, it is not changed and the result is empty. `adult` has a known GH, which shows the
+/// error of the estimate. Throws InputError at the last of the points if they determine no sphere,
+/// or a sphere that does not have the size of a humeral head.
 [[nodiscard]] std::string FindGh(MeasuredLandmarks& measured, const Anatomy& adult);
 
 }  // namespace girdle

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// Where each landmark lies beside the others, on either side of the body, and which measured ones
-/// bear wrong names.
+/// Checks measured landmarks against known bones: which names are exchanged, and which landmarks
+/// are on the wrong side of the body.
 ///
-/// A bone keeps its shape in every posture. So the known landmarks of each bone, moved, turned and
-/// scaled, are laid over the measured ones. Names are wrong if measured landmarks fit better after
-/// two of them have exchanged their names.
+/// A bone keeps its shape in every posture. So the known landmarks of each bone are moved, turned
+/// and scaled until they fit the measured ones best. Names are wrong if the measured landmarks fit
+/// better after two of them exchange their names.
 #pragma once
 
 #include <array>
@@ -17,58 +17,60 @@
 
 namespace girdle {
 
-/// A landmark in a frame of a bone that it belongs to.
+/// A landmark in the frame of a bone that it belongs to.
 struct PlacedLandmark {
   Vector3 position_m{0, 0, 0};
   bool has_row = true;  ///< false for an origin that is 0 0 0 because no row gives it
 };
 
-/// Landmarks of each segment, in the order of Segment and of Landmark. A landmark in which two
-/// bones meet belongs to both: SC PAC GH. Nothing where it is not known.
+/// Landmarks of each segment, in the order of Segment and of Landmark. Unknown landmarks are empty.
+/// SC, PAC and GH, where two bones meet, belong to both bones.
 using PlacedLandmarks =
     std::array<std::array<std::optional<PlacedLandmark>, kLandmarkCount>, kSegmentCount>;
 
-/// Two landmarks that bear each other's names, and the distance that shows it best.
+/// Two landmarks with exchanged names, and the distance that shows the exchange best.
 struct ExchangedLandmarks {
   Landmark first;  ///< before the second in the order of Landmark
   Landmark second;
-  Landmark seen_from;     ///< a third one
-  Landmark misplaced;     ///< first or second
-  double distance_m = 0;  ///< from the third one to where `misplaced` is said to be ...
-  double other_m = 0;     ///< ... and to where the other one of the two is said to be
-  double expected_m = 0;  ///< to `misplaced` in a bone of this size
+  Landmark seen_from;     ///< a third landmark
+  Landmark misplaced;     ///< `first` or `second`
+  double distance_m = 0;  ///< from the third landmark to the place given for `misplaced`
+  double other_m = 0;     ///< from the third landmark to the place given for the other one
+  double expected_m = 0;  ///< from the third landmark to `misplaced` in a bone of this size
 };
 
-/// How far the landmarks of a person lie from those of the built-in bones in the person's size, as
-/// a standard deviation along each axis [m]: some millimetres of measuring and of shape.
+/// Spread of a person's landmarks about those of the built-in bones in the person's size: standard
+/// deviation along each axis [m]. It includes some millimetres of measuring error and some of
+/// shape.
 inline constexpr double kShapeSpread_m = 0.008;
-/// Standard deviation of the logarithm of a bone's size in one person: some tenths.
+/// Spread of the sizes of the bones of one person: standard deviation of the logarithm. Sizes may
+/// differ by some tenths.
 inline constexpr double kSizeSpread = 0.15;
-/// Above this root mean square distance [m, in the size of the built-in bones], landmarks fit no
-/// person, and who has exchanged what cannot be told.
+/// If the root mean square distance [m, in the size of the built-in bones] is larger than this, the
+/// landmarks fit no person, and an exchange of names cannot be found.
 inline constexpr double kFarthestFit_m = 0.03;
 
-/// Returns two landmarks that fit those of `adult`, in any size and on either side of the body,
-/// better under each other's names; nothing if all fit best as they are, if they are of two sides
-/// (StrayIn) or if nothing fits.
-/// `in_one_frame` says that all segments stand in one frame; otherwise only landmarks with rows in
-/// one segment's frame can have been exchanged. EM and EL lie alike on both sides of the humerus,
-/// whose shape does not tell them apart (IsHumerusTurnedAround does).
+/// Returns two landmarks that fit `adult` better after they exchange their names. Bones may have
+/// any size and be of either side. Returns nothing if all names fit best as they are, if the
+/// landmarks are of two sides (StrayIn), or if nothing fits. If `in_one_frame` is true, all
+/// segments are in one frame. Otherwise only landmarks with rows in one segment's frame are
+/// considered. EM and EL lie symmetrically on the humerus, so its shape cannot show their exchange;
+/// IsHumerusTurnedAround can.
 [[nodiscard]] std::optional<ExchangedLandmarks> ExchangeIn(const PlacedLandmarks& landmarks,
                                                            bool in_one_frame, const Anatomy& adult);
 
-/// A landmark on the other side of the body than most.
+/// A landmark that is on the other side of the body than most.
 struct StrayLandmark {
   Landmark landmark;
-  Landmark other;       ///< one on the side of most
-  double beyond_m = 0;  ///< from the median plane
+  Landmark other;       ///< a landmark on the side of most
+  double beyond_m = 0;  ///< distance from the median plane
   bool is_left = false;
 };
 
-/// Returns a landmark of the left side among those of the right, or the other way round, of
-/// landmarks that stand all in one frame; nothing if the strays' mirror images do not fit much
-/// better either. The median plane is the thorax frame's. EM and EL, which an arm can take across
-/// it, are strays if their mirror images make a better humerus.
+/// Returns a landmark of the left side among those of the right, or the reverse. Precondition: all
+/// landmarks are in one frame. Returns nothing if there is none, or if the mirror images of the
+/// strays do not fit much better. The median plane is that of the thorax frame. An arm can take EM
+/// and EL across it, so these two are strays only if their mirror images make a better humerus.
 [[nodiscard]] std::optional<StrayLandmark> StrayIn(const PlacedLandmarks& landmarks,
                                                    const Anatomy& adult);
 

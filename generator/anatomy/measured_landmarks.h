@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// The rows of a file of one person's landmarks, each under its landmark and the segment in whose
-/// frame it stands.
+/// The rows of a file of one person's landmarks, stored by landmark and by the segment whose frame
+/// they are in.
 #pragma once
 
 #include <array>
@@ -24,52 +24,55 @@ namespace girdle {
   return DefinitionOf(landmark).segment;
 }
 
-/// Returns the segment that a landmark is the origin of, nothing if none hangs there.
+/// Returns the segment that has its origin in a landmark, or nothing if there is none.
 [[nodiscard]] std::optional<Segment> SegmentFrom(Landmark origin) noexcept;
 
-/// Returns a length as messages have it, in whole millimeters.
+/// Returns a length for messages, in whole millimeters.
 [[nodiscard]] std::string MillimeterText(double length_m);
 
 class MeasuredLandmarks {
  public:
   /// Reads the rows (person_landmarks.h). Throws InputError, with file and line, for an unknown,
-  /// missing or repeated landmark and one in a frame that is not its own.
+  /// missing or repeated landmark, and for a landmark in the frame of another segment.
   MeasuredLandmarks(std::istream& in, const std::string& name);
 
-  /// Whether all landmarks stand in the laboratory's frame.
+  /// Whether all landmarks are in the laboratory's frame.
   [[nodiscard]] bool is_lab() const noexcept { return is_lab_; }
 
-  /// Returns whether this landmark is known.
+  /// Returns whether a landmark is known.
   [[nodiscard]] bool Has(Landmark landmark) const;
 
-  /// Position in the frame of `segment` that the file uses, or in that of the laboratory [m].
+  /// Returns the position [m] in the frame that the file uses for `segment`, or in the laboratory's
+  /// frame.
   [[nodiscard]] Vector3 In_m(Segment segment, Landmark landmark) const;
 
-  /// All that is known, in the frames that the file uses.
+  /// Returns all known landmarks, in the frames that the file uses.
   [[nodiscard]] PlacedLandmarks Places() const;
 
-  /// Points of the humeral head, in the laboratory's frame [m].
+  /// Points of the humeral head [m], in the laboratory's frame.
   [[nodiscard]] const std::vector<Vector3>& head_points_m() const noexcept {
     return head_points_m_;
   }
 
-  /// Adds GH, which has no row, in the scapula's frame that the file uses or the laboratory's [m].
+  /// Adds GH [m], which has no row. It is in the frame that the file uses for the scapula, or in
+  /// the laboratory's frame.
   void AddGh(const Vector3& gh_m);
 
-  /// Returns what the file calls a landmark: AC or PAC.
+  /// Returns the file's name for a landmark. PAC may be AC there.
   [[nodiscard]] std::string NameIn(Landmark landmark) const;
 
-  /// Line of a landmark's row, in the frame of its own segment or the laboratory's.
+  /// Returns the line of a landmark's row, in the frame of its own segment or in the laboratory's
+  /// frame.
   [[nodiscard]] std::size_t LineOf(Landmark landmark) const;
 
-  /// Throws InputError at the row of a landmark, in the frame of `segment` if it stands there; of
-  /// GH that has no row, at the last row.
+  /// Throws InputError at the row of a landmark, in the frame of `segment` if there is such a row.
+  /// GH without a row counts as the last row.
   [[noreturn]] void Fail(Segment segment, Landmark landmark, const std::string& message) const;
   /// Throws InputError at the last row of a point of the humeral head.
   [[noreturn]] void FailAtHead(const std::string& message) const;
 
  private:
-  // What the file says of one landmark in one segment's frame.
+  // A row of the file: one landmark in one segment's frame.
   struct Row {
     Vector3 position_m{0, 0, 0};
     std::size_t line_number = 0;  // 0 if there is no row

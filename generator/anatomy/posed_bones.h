@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// Where the points of an anatomy are in a pose: bones hang from each other at SC, PAC and GH.
+/// Positions of an anatomy's points in a pose. The bones hang from each other at SC, PAC and GH.
 #pragma once
 
 #include <array>
@@ -12,12 +12,13 @@
 
 namespace girdle {
 
-/// Returns a point of a segment, given in the segment's frame, in the thorax frame [m].
+/// Returns a point [m] in the thorax frame. `point_m` is in the frame of `segment`.
 [[nodiscard]] Vector3 InThorax_m(const Anatomy& anatomy, const ShoulderPose& pose, Segment segment,
                                  const Vector3& point_m) noexcept;
 
-/// Returns the pose of a shoulder whose bones (thorax, clavicle, scapula, humerus) are turned so in
-/// any frame A, as that of a right one: a left one is in its mirror image.
+/// Returns the pose of a shoulder from the rotations of its bones (thorax, clavicle, scapula,
+/// humerus) in any frame A. The pose of a left shoulder is that of its mirror image, a right
+/// shoulder.
 [[nodiscard]] ShoulderPose PoseOfBones(Side side,
                                        const std::array<Quaternion, kSegmentCount>& q_AB) noexcept;
 
@@ -25,7 +26,7 @@ namespace girdle {
 [[nodiscard]] Vector3 LandmarkInThorax_m(const Anatomy& anatomy, const ShoulderPose& pose,
                                          Landmark landmark) noexcept;
 
-/// Returns the distance [m] of a ligament's attachments: its length as a straight band.
+/// Returns the length [m] of a ligament as a straight band: the distance of its attachments.
 [[nodiscard]] double LigamentLength_m(const Ligament& ligament, const Anatomy& anatomy,
                                       const ShoulderPose& pose) noexcept;
 

@@ -11,10 +11,10 @@
 
 namespace girdle {
 
-/// Corners of a triangle, counted from 0; counter-clockwise seen from outside.
+/// Indices of a triangle's corners, from 0, counter-clockwise seen from outside.
 using Triangle = std::array<int, 3>;
 
-/// Vertices are metres in a frame that whoever makes the mesh names.
+/// A mesh of triangles. Vertices are in metres; whoever makes the mesh defines their frame.
 struct TriangleMesh {
   std::vector<Vector3> vertices_m;
   std::vector<Triangle> triangles;

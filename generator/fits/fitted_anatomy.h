@@ -1,20 +1,20 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// What of an anatomy follows from its bones and the rhythm together: the surface that the scapula
-/// glides on, and how long the ligaments get.
+/// Parts of an anatomy that follow from its bones and the rhythm together: the surface that the
+/// scapula glides on, and the slack lengths of the ligaments.
 #pragma once
 
 #include "anatomy/anatomy.h"
 
 namespace girdle {
 
-/// Gives `anatomy` the gliding ellipsoid fitted to its own TS and AI under the built-in rhythm
+/// Gives `anatomy` the gliding ellipsoid that fits its own TS and AI under the built-in rhythm
 /// (FitGlidingEllipsoid). Throws std::invalid_argument if no ellipsoid of a body's size fits.
 void FitGliding(Anatomy& anatomy);
 
-/// Gives the ligaments of `anatomy` their longest length in the positions of the built-in tables as
-/// slack, rounded up to 0.1 mm, as in data/ligaments.csv.
+/// Gives each ligament of `anatomy` a slack length: its longest length in the positions of the
+/// built-in tables, rounded up to 0.1 mm, as in data/ligaments.csv.
 void FitLigaments(Anatomy& anatomy);
 
 }  // namespace girdle

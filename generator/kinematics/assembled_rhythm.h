@@ -1,17 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// The shoulder rhythm as an assembly of the bones follows it.
+/// The shoulder rhythm for each assembly of the bones.
 ///
-/// A tree takes SC and AC as they were measured, and where that puts the scapula in the thorax (ST)
-/// is what comes out. A loop drives SC and ST, both measured, and what comes out is AC:
+/// A tree uses SC and AC as measured. The scapula in the thorax (ST) results from both. A loop
+/// drives SC and ST, both measured, and AC results:
 ///
 ///     q_TS = q_TC q_CS exp(u),   u = log((q_TC q_CS)^-1 q_TS) of the table's positions
 ///
-/// u, how far the published tables contradict themselves, is interpolated by the splines of
-/// surface_spline.h and fades out past the table, smoothly, to be nothing where the arm hangs:
-/// there the rule for the whole range knows SC and AC only. GH then closes on the scapula as
-/// before.
+/// u measures how far the published tables contradict each other. It is interpolated by the splines
+/// of surface_spline.h. Outside the table it fades out smoothly and is zero where the arm hangs,
+/// because the rule for the whole range knows SC and AC only. With closure exact, GH then closes
+/// the chain: q_SH = q_TS^-1 q_TH.
 #pragma once
 
 #include <array>
@@ -28,24 +28,25 @@ namespace girdle {
 /// Ranges of the scapula in the thorax, in the order of kScapulothoracicNames.
 using ScapulothoracicRanges = std::array<CoordinateRange, kScapulothoracicNames.size()>;
 
-/// Immutable; evaluation is thread-safe and allocates nothing.
+/// Answers arm commands with poses and driven angles of one assembly. Immutable. Evaluation is
+/// thread-safe and allocates nothing.
 class AssembledRhythm {
  public:
-  /// Ranges that bound nothing.
+  /// Ranges that limit nothing.
   [[nodiscard]] static ScapulothoracicRanges Unbounded() noexcept;
 
-  /// Throws std::invalid_argument if a loop's table has fewer than three planes or elevations. A
-  /// table without ST has nothing to correct: u is zero.
+  /// Throws std::invalid_argument if the assembly is a loop and the table has fewer than three
+  /// planes or elevations. If the table has no ST angles, u is zero.
   AssembledRhythm(ShoulderRhythm rhythm, Assembly assembly,
                   const ScapulothoracicRanges& st_ranges = Unbounded());
 
-  /// The pose for a command, as ShoulderRhythm::SolvePose; `used` takes the command that it
-  /// answers. In a loop the ranges of ST bound offsets, which keep their ratio, and that of GH's
-  /// last hinge the axial turn.
+  /// Returns the pose for a command, like ShoulderRhythm::SolvePose. If `used` is not null, it
+  /// receives the command that the pose answers. In a loop the ranges of ST limit the offsets,
+  /// which keep their ratio, and the range of GH's last hinge limits the axial turn.
   [[nodiscard]] ShoulderPose SolvePose(const ArmCommand& command,
                                        ArmCommand* used = nullptr) const noexcept;
 
-  /// The nine angles [rad] of that pose that the assembly drives.
+  /// Returns the nine angles [rad] of that pose which the assembly drives.
   [[nodiscard]] JointAngles SolveAngles(const ArmCommand& command,
                                         ArmCommand* used = nullptr) const noexcept;
 
@@ -56,7 +57,7 @@ class AssembledRhythm {
   [[nodiscard]] ShoulderPose Corrected(const ArmCommand& command, ArmCommand& used) const noexcept;
   [[nodiscard]] bool KeepsScapulaWithin(const ShoulderPose& pose) const noexcept;
 
-  /// u over (elevation, plane), and where the table ends.
+  /// u over (elevation, plane), and the limits of the table.
   struct Correction {
     SurfaceGrid grid;
     SurfaceSpline<double, 3> surface;
@@ -69,13 +70,13 @@ class AssembledRhythm {
   ShoulderRhythm rhythm_;
   Assembly assembly_;
   ScapulothoracicRanges st_ranges_;
-  std::optional<Correction> correction_;  ///< in a loop whose table has ST
+  std::optional<Correction> correction_;  ///< only in a loop whose table has ST
 };
 
-/// SolveMany of solve_many.h for a rhythm as an assembly follows it: poses and used commands are
-/// those of AssembledRhythm::SolvePose, angles those that the assembly drives (DrivenAngles),
-/// origins and distances those of its ShoulderRhythm. Offsets and axial turns that the ranges of a
-/// loop bound are solved one after the other.
+/// Solves many commands for one assembly, like SolveMany of solve_many.h. Poses and used commands
+/// are those of AssembledRhythm::SolvePose. Angles are those that the assembly drives
+/// (DrivenAngles). Origins and distances are those of its ShoulderRhythm. Commands whose offsets or
+/// axial turn are limited by the ranges of a loop are solved one after the other.
 void SolveMany(const AssembledRhythm& rhythm, std::span<const ArmCommand> commands,
                const ManySolutions& solutions, const SolveManyOptions& options = {});
 

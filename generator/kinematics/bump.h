@@ -10,7 +10,8 @@
 
 namespace girdle {
 
-/// Returns 1 for x up to 0, 0 from 1 on, and between them, twice continuously differentiable,
+/// Returns 1 for x <= 0 and 0 for x >= 1. Between them the result is twice continuously
+/// differentiable:
 ///
 ///     1 - 10 x^3 + 15 x^4 - 6 x^5
 template <typename T>

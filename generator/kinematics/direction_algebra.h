@@ -11,8 +11,8 @@
 
 namespace girdle {
 
-/// Returns the angle between two directions [rad], in [0, pi]. The haversine formula is precise for
-/// small angles:
+/// Returns the angle between two directions [rad], in [0, pi]. The haversine formula is precise
+/// also for small angles:
 ///
 ///     h = sin^2((e_a - e_b) / 2) + sin e_a sin e_b sin^2((psi_a - psi_b) / 2),
 ///     angle = 2 arctan(sqrt h / sqrt(1 - h))
@@ -23,12 +23,12 @@ template <typename T>
   const T h = half_elevation * half_elevation + SineAndCosineOf(a.elevation_rad).sine *
                                                     SineAndCosineOf(b.elevation_rad).sine *
                                                     half_plane * half_plane;
-  // Rounding may take h of opposite directions beyond 1.
+  // Rounding may make h of opposite directions larger than 1.
   return ValueOf(h) < 1 ? T(2.0 * Atan2(Sqrt(h), Sqrt(T(1.0) - h))) : T(kPi);
 }
 
-/// Returns the direction of a plane, at elevations in [lowest, highest] [rad], that is nearest to
-/// another direction.
+/// Returns the direction of a plane that is nearest to another direction. Its elevation is in
+/// [lowest, highest] [rad].
 template <typename T>
 [[nodiscard]] ArmDirectionOf<T> NearestOnPlane(const ArmDirectionOf<T>& direction, double plane_rad,
                                                double lowest_rad, double highest_rad) noexcept {

@@ -8,7 +8,7 @@
 
 namespace girdle {
 
-/// The same angle in (-pi, pi]; `angle_rad` is within two turns.
+/// Returns the equal angle in (-pi, pi]. Precondition: `angle_rad` is within two turns.
 [[nodiscard]] inline double WithinHalfTurn(double angle_rad) noexcept {
   if (angle_rad > kPi) {
     return angle_rad - 2 * kPi;
@@ -25,17 +25,18 @@ template <int Order>
   return angle_rad;
 }
 
-/// Returns the angles [rad] of a unit quaternion whose w is not negative, turned in the order of
-/// the axes 1, 2, 3 that q_1, q_2, q_3 belong to; the axes are cyclic in the order 3, 2, 1.
+/// Returns the three angles [rad] of a unit quaternion. They are in turning order, about the axes
+/// 1, 2, 3 that q_1, q_2, q_3 belong to. Precondition: w is not negative, and the axes are cyclic
+/// in the order 3, 2, 1.
 ///
-/// Bernardes and Viollet, Quaternion to Euler angles conversion, PLoS ONE 2022;17:e0276302. With
-/// (a, b, c) the angles in turning order, the half sum and half difference of a and c stand by
-/// themselves in
+/// Source: Bernardes and Viollet, Quaternion to Euler angles conversion, PLoS ONE 2022;17:e0276302.
+/// Let (a, b, c) be the angles in turning order. The half sum and the half difference of a and c
+/// are separate:
 ///
 ///     w - q_2 : q_3 + q_1 = cos : sin of (a+c)/2,    q_2 + w : q_1 - q_3 = cos : sin of (a-c)/2
 ///
-/// and their lengths s and d give the second angle, sin b = (d^2 - s^2) / 2, cos b = s d. Where s
-/// or d is lost (gimbal lock) the other still gives the rotation.
+/// The lengths s and d of these two vectors give the second angle: sin b = (d^2 - s^2) / 2, cos b =
+/// s d. If s or d is zero (gimbal lock), the other one still gives the rotation.
 template <typename T>
 [[nodiscard]] VectorOf<T> EulerAngles(const T& w, const T& q_1, const T& q_2,
                                       const T& q_3) noexcept {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// Four numbers that go through the same arithmetic at the same time: one of each of four poses.
+/// Four numbers that pass through the same arithmetic together, one of each of four poses.
 #pragma once
 
 #include <array>
@@ -16,17 +16,17 @@
 
 namespace girdle {
 
-/// Arithmetic is element by element and gives each element the bits it would have alone.
+/// Four numbers. Arithmetic is element by element, and each element has the bits that it has alone.
 ///
-/// Quick in functions for AVX2 into which everything is inlined, and right everywhere. It has a
-/// copy constructor of its own so that it is handed over in memory: functions for different
-/// processors disagree on how to hand over a vector of four.
+/// It is fast in functions for AVX2 into which everything is inlined, and correct everywhere. Its
+/// own copy constructor makes compilers pass it in memory. Functions for different processors pass
+/// a vector of four in different ways.
 class Four {
  public:
   static constexpr std::size_t kSize = 4;
 
   Four() = default;
-  // NOLINTNEXTLINE(modernize-use-equals-default): see above
+  // NOLINTNEXTLINE(modernize-use-equals-default): its own, so that fours are passed in memory
   GIRDLE_INLINE constexpr Four(const Four& other) noexcept : elements_(other.elements_) {}
   Four& operator=(const Four& other) noexcept = default;
   ~Four() = default;
@@ -34,7 +34,7 @@ class Four {
   GIRDLE_INLINE constexpr Four(double all) noexcept : elements_{all, all, all, all} {}
   GIRDLE_INLINE Four(double a, double b, double c, double d) noexcept : elements_{a, b, c, d} {}
 
-  /// Four successive numbers; they are aligned as a four.
+  /// Returns four successive numbers. Precondition: they are aligned like a Four.
   [[nodiscard]] GIRDLE_INLINE static Four From(const double* numbers) noexcept {
     Four four;
     four.elements_ = *reinterpret_cast<const MemoryVector*>(numbers);
@@ -72,7 +72,7 @@ class Four {
     return negative;
   }
 
-  /// As of Pair.
+  /// Rounded, WhereLess, TurnByQuarters and PowersOfTwo: see Pair.
   [[nodiscard]] GIRDLE_INLINE static Four Rounded(const Four& a) noexcept {
     constexpr Four kShift(kRoundingShift);
     return (a + kShift) - kShift;
@@ -105,7 +105,7 @@ class Four {
   [[nodiscard]] GIRDLE_INLINE static Four SquareRoot(const Four& a) noexcept {
     return {std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3])};
   }
-  /// The largest element.
+  /// Returns the largest element.
   [[nodiscard]] GIRDLE_INLINE double Largest() const noexcept {
     Vector other = __builtin_shufflevector(elements_, elements_, 2, 3, 0, 1);
     const Vector larger = elements_ < other ? other : elements_;
@@ -114,7 +114,7 @@ class Four {
     return largest[0];
   }
 
-  /// Element j of a, b, c, d becomes element 0, 1, 2, 3 of the jth of them.
+  /// Transposes four fours: element j of a, b, c, d becomes element 0, 1, 2, 3 of the jth of them.
   GIRDLE_INLINE static void Transpose(Four& a, Four& b, Four& c, Four& d) noexcept {
     const Vector low_ab = __builtin_shufflevector(a.elements_, b.elements_, 0, 4, 2, 6);
     const Vector high_ab = __builtin_shufflevector(a.elements_, b.elements_, 1, 5, 3, 7);
@@ -127,7 +127,8 @@ class Four {
   }
 
  private:
-  // Aligned in every function alike: where there is no AVX compilers align vectors to 16 bytes.
+  // The alignment is explicit, so all functions agree. Without AVX, compilers align vectors to 16
+  // bytes.
   static constexpr std::size_t kBytes = 4 * sizeof(double);
   using Vector = double __attribute__((vector_size(kBytes)));
   using MemoryVector = double __attribute__((vector_size(kBytes), aligned(kBytes), may_alias));
@@ -137,7 +138,7 @@ class Four {
 };
 static_assert(alignof(Four) == sizeof(Four));
 
-/// Each number as a four.
+/// Returns a Four for each number, with all elements equal.
 template <std::size_t N>
 [[nodiscard]] constexpr std::array<Four, N> Fours(const std::array<double, N>& numbers) noexcept {
   return [&numbers]<std::size_t... I>(std::index_sequence<I...>) {
@@ -146,15 +147,15 @@ template <std::size_t N>
   (std::make_index_sequence<N>());
 }
 
-/// Two numbers of each of four poses: those of SC, and of AC.
+/// Two numbers of each of four poses: one of SC and one of AC.
 class FourPairs {
  public:
   FourPairs() = default;
   // NOLINTNEXTLINE(google-explicit-constructor): a number stands for eight of it
   GIRDLE_INLINE FourPairs(double all) noexcept : elements_{Four(all), Four(all)} {}
-  // NOLINTNEXTLINE(google-explicit-constructor): a pair is the same in all four poses
+  // NOLINTNEXTLINE(google-explicit-constructor): a pair is equal in all four poses
   GIRDLE_INLINE FourPairs(Pair each) noexcept : elements_{Four(each[0]), Four(each[1])} {}
-  // NOLINTNEXTLINE(google-explicit-constructor): of each pose both are the same
+  // NOLINTNEXTLINE(google-explicit-constructor): both numbers of a pose are equal
   GIRDLE_INLINE FourPairs(const Four& both) noexcept : elements_{both, both} {}
   GIRDLE_INLINE FourPairs(const Four& first, const Four& second) noexcept
       : elements_{first, second} {}
@@ -178,7 +179,7 @@ class FourPairs {
   }
   GIRDLE_INLINE friend FourPairs operator-(const FourPairs& a) noexcept { return {-a[0], -a[1]}; }
 
-  /// As of Pair.
+  /// See Pair::WhereLess.
   [[nodiscard]] GIRDLE_INLINE static FourPairs WhereLess(const FourPairs& a, const FourPairs& b,
                                                          const FourPairs& yes,
                                                          const FourPairs& no) noexcept {
@@ -199,7 +200,7 @@ struct WithPairs<Four> {
   return x[i];
 }
 [[nodiscard]] GIRDLE_INLINE FourPairs LeafOf(const FourPairs& x) noexcept { return x; }
-/// Of the first pose: whoever asks has put poses together that answer alike.
+/// Returns the number of the first pose. The caller has grouped poses that take the same branch.
 [[nodiscard]] GIRDLE_INLINE double ValueOf(const Four& x) noexcept { return x[0]; }
 [[nodiscard]] GIRDLE_INLINE FourPairs SignOf(const FourPairs& x) noexcept {
   return FourPairs::WhereLess(x, 0.0, -1.0, 1.0);
@@ -217,7 +218,8 @@ template <std::size_t N>
 [[nodiscard]] GIRDLE_INLINE FourPairs Atan2(const FourPairs& y, const FourPairs& x) noexcept {
   return {Atan2OfLanes(y[0], x[0]), Atan2OfLanes(y[1], x[1])};
 }
-/// As of a number and of a Pair, which differ where an angle is pi but for rounding.
+/// Returns the angle in (-pi, pi]. The two overloads have the bits of those for a number and for a
+/// Pair, which differ by rounding at pi.
 [[nodiscard]] GIRDLE_INLINE Four WithinHalfTurn(const Four& angle_rad) noexcept {
   const Four raised = Four::WhereLess(-kPi, angle_rad, angle_rad, angle_rad + 2 * kPi);
   return Four::WhereLess(kPi, angle_rad, angle_rad - 2 * kPi, raised);
@@ -242,7 +244,7 @@ struct LaneConstants<Four> {
 }
 [[nodiscard]] GIRDLE_INLINE Four Decay(const Four& x) noexcept { return DecayOfLanes(x); }
 
-/// Each pose takes the series that it would take alone: by the larger of its two numbers.
+/// Each pose takes the series that it takes alone, chosen by the larger of its two numbers.
 template <typename L>
 [[nodiscard]] GIRDLE_INLINE CosineAndSine<L> CosineAndSineOfFour(const L& x,
                                                                  const Four& largest) noexcept {
@@ -254,7 +256,7 @@ template <typename L>
       return FourPairs::WhereLess(Both(largest), limit, below, from);
     }
   };
-  // A number becomes a four most quickly where it is one before the program starts.
+  // A Four made at compile time is the fastest.
   static constexpr auto kShorterCosines = Fours(kShorterCosine);
   static constexpr auto kShorterSines = Fours(kShorterSine);
   CosineAndSine<L> result{PolynomialValue(kShorterCosines, x), PolynomialValue(kShorterSines, x)};
@@ -278,7 +280,7 @@ template <typename L>
   return CosineAndSineOfFour(x, Four::WhereLess(x[0], x[1], x[1], x[0]));
 }
 
-/// As ExpOf of other scalars, with constants that are fours.
+/// ExpOf with constants that are fours.
 [[nodiscard]] GIRDLE_INLINE QuaternionOf<FourPairs> ExpOf(const VectorOf<FourPairs>& u) noexcept {
   constexpr Four kHalf(0.5);
   constexpr Four kQuarter(0.25);

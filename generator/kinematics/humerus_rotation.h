@@ -1,18 +1,20 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// The humerus's rotation in the thorax from the direction that it points in.
+/// The rotation of the humerus in the thorax, from its direction and its turn.
 #pragma once
 
 #include "kinematics/rotation_algebra.h"
 
 namespace girdle {
 
-/// Humerus in thorax with the direction (theta, psi), turned by tau about its long axis:
+/// Returns the humerus in the thorax that points in the direction (theta, psi) and is turned by tau
+/// about its long axis:
 ///
-///     q_TH = S(theta, psi) Ry(tau),  S the smallest rotation that takes the hanging arm (-y) there
+///     q_TH = S(theta, psi) Ry(tau)
 ///
-/// In ISB angles it is Y(psi) X(-theta) Y(tau - psi). T is a scalar of jet.h.
+/// S is the smallest rotation that takes the hanging arm (-y) to the direction. In ISB angles q_TH
+/// is Y(psi) X(-theta) Y(tau - psi). T is a scalar of jet.h.
 template <typename T>
 [[nodiscard]] QuaternionOf<T> HumerusRotation(const T& theta_rad, const T& psi_rad,
                                               const T& tau_rad) noexcept {
@@ -24,8 +26,8 @@ template <typename T>
           theta.sine * across.sine};
 }
 
-/// The same for numbers, in less time. Precondition: the angles are finite and of some turns at
-/// most.
+/// HumerusRotation for numbers, in less time. Precondition: the angles are finite and not larger
+/// than a few turns.
 [[nodiscard]] QuaternionOf<double> HumerusRotation(double theta_rad, double psi_rad,
                                                    double tau_rad) noexcept;
 

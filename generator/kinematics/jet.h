@@ -3,9 +3,11 @@
 
 /// Numbers that carry their derivatives, so that one formula gives a pose and its rates.
 ///
-/// A scalar T is a leaf (double or Pair), a Jet of leaves (derivatives by elevation and plane) or a
-/// Dual of any of these (one more derivative, along a line that the user chooses). Formulas are
-/// written once, as templates over T; derivatives are exact, by the rules of calculus.
+/// A scalar T is one of three. A leaf is a double or a Pair. A Jet is a leaf with its derivatives
+/// by elevation and plane. A Dual is a scalar with one more derivative, along a line that the user
+/// chooses. Formulas are written once, as templates over T. Derivatives follow from the rules of
+/// calculus, so they are exact. For example, with x = Jet(theta) whose derivative by elevation is
+/// 1, SineAndCosineOf(x).sine contains sin(theta) and its derivative cos(theta).
 #pragma once
 
 #include <array>
@@ -16,7 +18,7 @@
 
 namespace girdle {
 
-/// Place of each derivative in a Jet.
+/// Index of each derivative in a Jet.
 enum JetPart : std::size_t {
   kValue,
   kByElevation,
@@ -42,7 +44,7 @@ struct Jet {
   }
   template <typename Number>
   requires(std::is_arithmetic_v<Number> && !std::is_same_v<Number, L>)
-      // NOLINTNEXTLINE(google-explicit-constructor): as above
+      // NOLINTNEXTLINE(google-explicit-constructor): a constant is a jet without derivatives
       Jet(Number constant)
   noexcept : Jet(L(static_cast<double>(constant))) {}
 
@@ -87,7 +89,7 @@ struct Jet {
     }
     return product;
   }
-  /// Products with what does not change.
+  /// Scaling by a constant.
   friend Jet operator*(const Jet& a, L b) noexcept {
     Jet product;
     for (std::size_t i = 0; i < kParts; ++i) {
@@ -124,7 +126,7 @@ struct Dual {
   friend Dual operator*(const Dual& a, const Dual& b) noexcept {
     return {a.value * b.value, a.value * b.slope + a.slope * b.value};
   }
-  /// Products with what does not change.
+  /// Scaling by a constant.
   template <typename Constant>
   requires(std::is_convertible_v<Constant, T> && !std::is_same_v<Constant, Dual>) friend Dual
   operator*(const Constant& a, const Dual& b) noexcept {
@@ -137,7 +139,7 @@ struct Dual {
   }
 };
 
-/// The scalar with pairs for leaves in place of numbers.
+/// The scalar type that has pairs as leaves instead of numbers.
 template <typename T>
 struct WithPairs;
 template <>
@@ -155,7 +157,7 @@ struct WithPairs<Dual<T>> {
 template <typename T>
 using PairOf = typename WithPairs<T>::Type;
 
-/// Both elements are the scalar.
+/// Returns a scalar of pairs. Both elements are `x`.
 [[nodiscard]] inline Pair Both(double x) noexcept { return {x, x}; }
 template <int Order>
 [[nodiscard]] Jet<Pair, Order> Both(const Jet<double, Order>& x) noexcept {
@@ -170,7 +172,7 @@ template <typename T>
   return {Both(x.value), Both(x.slope)};
 }
 
-/// Element `i` of a scalar of pairs.
+/// Returns element `i` of a scalar of pairs.
 [[nodiscard]] inline double Element(Pair x, std::size_t i) noexcept { return x[i]; }
 template <int Order>
 [[nodiscard]] Jet<double, Order> Element(const Jet<Pair, Order>& x, std::size_t i) noexcept {
@@ -186,7 +188,7 @@ template <typename T>
   return {Element(x.value, i), Element(x.slope, i)};
 }
 
-/// The number without its derivatives.
+/// Returns the number without its derivatives.
 [[nodiscard]] inline double ValueOf(double x) noexcept { return x; }
 template <int Order>
 [[nodiscard]] double ValueOf(const Jet<double, Order>& x) noexcept {
@@ -197,7 +199,7 @@ template <typename T>
   return ValueOf(x.value);
 }
 
-/// The leaf without its derivatives.
+/// Returns the leaf without its derivatives.
 [[nodiscard]] inline double LeafOf(double x) noexcept { return x; }
 [[nodiscard]] inline Pair LeafOf(Pair x) noexcept { return x; }
 template <typename L, int Order>
@@ -209,7 +211,7 @@ template <typename T>
   return LeafOf(x.value);
 }
 
-/// The largest of its numbers without their derivatives.
+/// Returns the largest number of a scalar, without derivatives.
 [[nodiscard]] inline double LargestLeaf(double x) noexcept { return x; }
 [[nodiscard]] inline double LargestLeaf(Pair x) noexcept { return x[0] < x[1] ? x[1] : x[0]; }
 template <typename L, int Order>
@@ -221,7 +223,7 @@ template <typename T>
   return LargestLeaf(x.value);
 }
 
-/// f(x) from f, f' and f'' at the leaf of x (the last is not used for order 1).
+/// Returns f(x) from f, f' and f'' at the leaf of x. Order 1 does not use f''.
 template <typename L, int Order>
 [[nodiscard]] GIRDLE_INLINE Jet<L, Order> Composed(const Jet<L, Order>& x, L f, L slope,
                                                    L curvature) noexcept {
@@ -263,7 +265,7 @@ template <typename T>
   return {value, -(value * x.slope)};
 }
 
-/// Angle of the point (x, y), not the origin.
+/// Returns the angle of the point (x, y). Precondition: the point is not the origin.
 template <int Order>
 [[nodiscard]] Jet<double, Order> Atan2(const Jet<double, Order>& y,
                                        const Jet<double, Order>& x) noexcept {
@@ -289,14 +291,14 @@ template <int Order>
   return angle;
 }
 
-/// Square root of a positive number.
+/// Returns the square root. Precondition: the number is positive.
 template <int Order>
 [[nodiscard]] Jet<double, Order> Sqrt(const Jet<double, Order>& x) noexcept {
   const double root = std::sqrt(x.part[kValue]);
   return Composed(x, root, 0.5 / root, -0.25 / (root * x.part[kValue]));
 }
 
-/// Coefficients of the derivative of c_0 + c_1 x + c_2 x^2 + ...
+/// Returns the coefficients of the derivative of c_0 + c_1 x + c_2 x^2 + ...
 template <std::size_t N>
 [[nodiscard]] constexpr std::array<double, (N > 0 ? N - 1 : 0)> DerivativeOf(
     const std::array<double, N>& c) noexcept {
@@ -307,7 +309,7 @@ template <std::size_t N>
   return derivative;
 }
 
-/// c_0 + c_1 x + c_2 x^2 + ...
+/// Returns c_0 + c_1 x + c_2 x^2 + ...
 template <std::size_t N>
 [[nodiscard]] GIRDLE_INLINE double Polynomial(const std::array<double, N>& c, double x) noexcept {
   return PolynomialValue(c, x);

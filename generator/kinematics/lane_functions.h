@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// Sine, cosine, arc tangent and decay of several numbers at the same time.
+/// Sine, cosine, arc tangent and exponential decay of several numbers at the same time.
 ///
-/// They are made of sums, products, quotients and choices alone, which every machine rounds alike:
-/// a number has the same result in a Pair, in a Four and on any processor. L is Pair or Four. Both
-/// have arithmetic, Rounded, WhereLess, TurnByQuarters and PowersOfTwo.
+/// They consist of sums, products, quotients and choices only, which every machine rounds alike. A
+/// number therefore has the same result in a Pair, in a Four and on any processor. L is Pair or
+/// Four. Both have arithmetic, Rounded, WhereLess, TurnByQuarters and PowersOfTwo.
 #pragma once
 
 #include <array>
@@ -18,8 +18,8 @@ namespace girdle {
 
 namespace lane_functions_detail {
 
-// shift! sum (-x)^n / (2n + shift)!, which is cos(sqrt x) for shift 0 and sin(sqrt x)/sqrt x for
-// shift 1.
+// shift! sum (-x)^n / (2n + shift)!. It is cos(sqrt x) for shift 0 and sin(sqrt x)/sqrt x for shift
+// 1.
 template <std::size_t N>
 constexpr std::array<double, N> AlternatingSeries(int shift) {
   std::array<double, N> coefficients{};
@@ -35,16 +35,17 @@ constexpr std::array<double, N> AlternatingSeries(int shift) {
 // For angles up to an eighth of a turn.
 inline constexpr auto kCosine = AlternatingSeries<9>(0);
 inline constexpr auto kSine = AlternatingSeries<8>(1);
-// pi/2 in two parts, the first with a short significand, so that small multiples of it are exact.
+// pi/2 in two parts. The first has a short significand, so small multiples of it are exact.
 inline constexpr double kQuarterTurnHigh = 1.5707963109016418;
 inline constexpr double kQuarterTurnLow = 1.5893254773528196e-08;
 
-// ln 2 in two parts likewise: the first is ln 2 rounded to 32 binary places. The rest is written
-// out, since libc++ has no more than a double of std::numbers::ln2_v<long double>.
+// ln 2 in two parts. The first is ln 2 rounded to 32 binary places, so small multiples of it are
+// exact. The second is written out, because in libc++ std::numbers::ln2_v<long double> is no more
+// precise than a double.
 inline constexpr double kLogarithmOfTwoHigh = 2977044472.0 / 4294967296.0;
 inline constexpr double kLogarithmOfTwoLow = -4.2009150726810847e-11;
 
-// 1/n!: for |x| <= ln(2)/2 the first term left out of exp(x) is below 1e-17.
+// 1/n!. For |x| <= ln(2)/2 the first term left out of exp(x) is below 1e-17.
 inline constexpr std::size_t kExponentialTerms = 14;
 constexpr std::array<double, kExponentialTerms> ExponentialSeries() {
   std::array<double, kExponentialTerms> coefficients{};
@@ -57,8 +58,8 @@ constexpr std::array<double, kExponentialTerms> ExponentialSeries() {
 }
 inline constexpr auto kExponential = ExponentialSeries();
 
-// atan(t z) = 2 sum (-1)^k p^(2k+1) / (2k+1) T_(2k+1)(z), t = tan(2a), p = tan(a), for -1 <= z <= 1
-// and T the Chebyshev polynomials (generating function of the arc tangent). With 2a = pi/8 the
+// atan(t z) = 2 sum (-1)^k p^(2k+1) / (2k+1) T_(2k+1)(z), t = tan(2a), p = tan(a), for |z| <= 1.
+// T are the Chebyshev polynomials (generating function of the arc tangent). With 2a = pi/8 the
 // first term left out is below 1e-17.
 inline constexpr std::size_t kArcTangentTerms = 12;
 inline constexpr double kTangentOfEighth = 0.41421356237309504880;     // tan(pi/8) = sqrt(2) - 1
@@ -100,16 +101,17 @@ inline constexpr auto kArcTangent = ArcTangentCoefficients();
 
 }  // namespace lane_functions_detail
 
-/// Coefficients in the form in which L takes them most quickly.
+/// Coefficients in the form that is fastest for L.
 template <typename L>
 struct LaneConstants {
   static constexpr auto kSine = lane_functions_detail::kSine;
   static constexpr auto kCosine = lane_functions_detail::kCosine;
 };
 
-/// As SineAndCosineOf a Pair.
+/// Returns sine and cosine, with the bits of SineAndCosineOf a Pair.
 ///
-/// With x = n pi/2 + r, |r| <= pi/4, the series of r, changed places and signs by the quadrant n.
+/// With x = n pi/2 + r and |r| <= pi/4, it evaluates the series at r. The quadrant n exchanges the
+/// two results and sets their signs.
 template <typename L>
 [[nodiscard]] GIRDLE_INLINE SineAndCosine<L> SineAndCosineOfLanes(const L& x) noexcept {
   constexpr L kQuartersPerRadian(2 / std::numbers::pi);
@@ -124,9 +126,9 @@ template <typename L>
   return result;
 }
 
-/// As Decay of a number.
+/// Returns exp(-x), with the bits of Decay of a number.
 ///
-/// With -x = n ln 2 + r, |r| <= ln(2)/2, the series of r times 2^n.
+/// With -x = n ln 2 + r and |r| <= ln(2)/2, it is the series at r times 2^n.
 template <typename L>
 [[nodiscard]] GIRDLE_INLINE L DecayOfLanes(const L& x) noexcept {
   using namespace lane_functions_detail;  // NOLINT(google-build-using-namespace): its constants
@@ -138,7 +140,7 @@ template <typename L>
   return L::WhereLess(x, L(kLongest), value, L(0.0));
 }
 
-/// As Atan2 of a Pair.
+/// Returns the angle of the point (x, y), with the bits of Atan2 of a Pair.
 template <typename L>
 [[nodiscard]] GIRDLE_INLINE L Atan2OfLanes(const L& y, const L& x) noexcept {
   using namespace lane_functions_detail;  // NOLINT(google-build-using-namespace): its constants

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// Derivatives at the end of an interval, from values on that side of it alone.
+/// Derivatives at the end of an interval, from values on one side of it only.
 ///
-/// Weights of the values f1 .. f4 at h, 2h, 3h, 4h when f0 = 0 at the end itself (subtract it); h
-/// may be negative:
+/// f1 .. f4 are the values at h, 2h, 3h, 4h. The value at the end itself is subtracted from each,
+/// so f0 = 0. h may be negative. The arrays below are the weights of these formulas:
 ///
 ///     f' h    = 3 f1 - 3/2 f2 + 1/3 f3                   (third order, for coarse values)
 ///     f' h    = 4 f1 - 3 f2 + 4/3 f3 - 1/4 f4            (fourth order)
@@ -22,8 +22,8 @@ inline constexpr std::array<double, 4> kOneSidedFirst = {4, -3, 4.0 / 3, -1.0 / 
 inline constexpr std::array<double, 4> kOneSidedSecond = {-26.0 / 3, 19.0 / 2, -14.0 / 3,
                                                           11.0 / 12};
 
-/// h for what changes with the command of an arm [rad]: small enough for the formulas' error, large
-/// enough for rounding.
+/// h [rad] for functions of an arm command. It is small enough for the error of the formulas and
+/// large enough for rounding.
 inline constexpr double kOneSidedStep_rad = 0.02 * kRadiansPerDegree;
 
 }  // namespace girdle

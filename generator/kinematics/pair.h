@@ -1,29 +1,30 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// Two numbers that go through the same arithmetic at the same time: SC and AC, or two angles.
+/// Two numbers that pass through the same arithmetic together: SC and AC, or two angles.
 #pragma once
 
 #include <array>
 #include <cmath>
 #include <cstddef>
 
-/// Into every caller: what a shoulder needs thousands of times a millisecond is too long for the
-/// compilers' own judgement, and a call costs more than the arithmetic.
+/// Inlines a function into every caller. These functions run thousands of times a millisecond: a
+/// call costs more than their arithmetic, and compilers do not inline functions of this length by
+/// themselves.
 #define GIRDLE_INLINE [[gnu::always_inline]] inline
 
 namespace girdle {
 
-/// 1.5 * 2^52: adding it leaves no room for what is behind the point, and the last bits of the sum
-/// are those of the whole number that is added.
+/// 1.5 * 2^52. A number of this size has no digits behind the point, so adding it rounds. The last
+/// bits of the sum are those of the whole number.
 inline constexpr double kRoundingShift = 6755399441055744.0;
-/// From the second last bit of a number to its sign.
+/// Distance from the second last bit of a number to its sign.
 inline constexpr int kToSign = 62;
-/// From the last bit to the last one of the exponent, and the exponent of 1.
+/// Distance from the last bit of a number to the last bit of its exponent; the exponent of 1.
 inline constexpr int kToExponent = 52;
 inline constexpr long long kExponentOfOne = 1023;
 
-/// Arithmetic is element by element and gives each element the bits it would have alone.
+/// Two numbers. Arithmetic is element by element, and each element has the bits that it has alone.
 class Pair {
  public:
   Pair() = default;
@@ -40,18 +41,18 @@ class Pair {
   friend Pair operator/(Pair a, Pair b) noexcept { return Pair(a.lanes_ / b.lanes_); }
   friend Pair operator-(Pair a) noexcept { return Pair(-a.lanes_); }
 
-  /// Returns the nearest whole numbers, for numbers below 2^51.
+  /// Returns the nearest whole numbers. Precondition: the numbers are below 2^51.
   [[nodiscard]] static Pair Rounded(Pair a) noexcept {
     return (a + kRoundingShift) - kRoundingShift;
   }
 
-  /// Returns `yes` where a < b and `no` elsewhere, also where one of them is a NaN.
+  /// Returns `yes` where a < b, otherwise `no`. If a or b is a NaN, it returns `no`.
   [[nodiscard]] static Pair WhereLess(Pair a, Pair b, Pair yes, Pair no) noexcept {
     return Pair(a.lanes_ < b.lanes_ ? yes.lanes_ : no.lanes_);
   }
 
-  /// Turns sines and cosines of angles into those of angles that are larger by n quarter turns, n
-  /// whole numbers.
+  /// Replaces the sine and cosine of angles by those of the angles plus n quarter turns.
+  /// Precondition: n are whole numbers.
   static void TurnByQuarters(Pair n, Pair& sine, Pair& cosine) noexcept {
     const Bits quadrant = reinterpret_cast<Bits>((n + kRoundingShift).lanes_);  // its last two bits
     const Bits odd = -(quadrant & 1);
@@ -62,7 +63,7 @@ class Pair {
         reinterpret_cast<Lanes>(((odd & a) | (~odd & b)) ^ (((quadrant + 1) & 2) << kToSign));
   }
 
-  /// Returns 2^n for whole numbers from -1022 to 1023.
+  /// Returns 2^n. Precondition: n are whole numbers from -1022 to 1023.
   [[nodiscard]] static Pair PowersOfTwo(Pair n) noexcept {
     const Bits shifted = reinterpret_cast<Bits>((n + kRoundingShift).lanes_);
     return Pair(reinterpret_cast<Lanes>((shifted + kExponentOfOne) << kToExponent));
@@ -80,8 +81,8 @@ class Pair {
 [[nodiscard]] inline double Sqrt(double x) noexcept { return std::sqrt(x); }
 [[nodiscard]] inline double Atan2(double y, double x) noexcept { return std::atan2(y, x); }
 
-/// Value of c_0 + c_1 x + c_2 x^2 + ..., with short chains of dependent operations (Estrin). The
-/// coefficients may be numbers, the same for all elements of x, or pairs.
+/// Returns c_0 + c_1 x + c_2 x^2 + ..., with short chains of dependent operations (Estrin). The
+/// coefficients are numbers, equal for all elements of x, or pairs.
 template <std::size_t N, typename C, typename L>
 [[nodiscard]] GIRDLE_INLINE L PolynomialValue(const std::array<C, N>& c, L x) noexcept {
   if constexpr (N == 0) {
@@ -110,9 +111,10 @@ template <std::size_t N, typename C, typename L>
   }
 }
 
-/// Angle of the point (x, y) as std::atan2, to 4 units in the last place; a signed zero counts as
-/// plus, and the point (0, 0) has the angle 0; both infinite is a NaN. Not inline: a pose needs it
-/// seven times, and in a simulation its code has to come from beyond the first cache.
+/// Returns the angle of the point (x, y) like std::atan2, to 4 units in the last place. A signed
+/// zero counts as plus. The point (0, 0) has the angle 0. The result is NaN if both are infinite.
+/// Not inline: a pose calls it seven times, and in a simulation its code has to come from beyond
+/// the first cache.
 [[nodiscard]] Pair Atan2(Pair y, Pair x) noexcept;
 
 template <typename T>
@@ -121,17 +123,17 @@ struct SineAndCosine {
   T cosine;
 };
 
-/// Both to 2 units in the last place of 1, for angles of some turns, which is all that an arm has.
-/// Quicker than std::sin and std::cos, and the same on every machine. Not inline for the reason of
-/// Atan2.
+/// Returns sine and cosine to 2 units in the last place of 1. Precondition: the angle is not larger
+/// than a few turns, as all angles of an arm. It is faster than std::sin and std::cos, and gives
+/// the same result on every machine. Not inline, for the same reason as Atan2.
 [[nodiscard]] SineAndCosine<Pair> SineAndCosineOf(Pair x) noexcept;
 [[nodiscard]] inline SineAndCosine<double> SineAndCosineOf(double x) noexcept {
   const SineAndCosine<Pair> both = SineAndCosineOf(Pair(x));
   return {both.sine[0], both.cosine[0]};
 }
 
-/// exp(-x) for x > -700, to 2 units in the last place; 0 from 700 on, which is below 1e-304. The
-/// same on every machine.
+/// Returns exp(-x) to 2 units in the last place. Precondition: x > -700. The result is 0 from x =
+/// 700 on, where exp(-x) is below 1e-304. It is the same on every machine.
 [[nodiscard]] double Decay(double x) noexcept;
 
 }  // namespace girdle

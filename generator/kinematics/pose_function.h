@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// Any way from a command to a pose, for what is measured on poses alone.
+/// A function from a command to a pose, for measures that need poses only.
 #pragma once
 
 #include <functional>
@@ -11,7 +11,7 @@
 
 namespace girdle {
 
-/// The pose for a command.
+/// Returns the pose for a command.
 using PoseFunction = std::function<ShoulderPose(const ArmCommand& command)>;
 
 }  // namespace girdle

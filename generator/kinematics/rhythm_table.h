@@ -15,13 +15,14 @@ namespace girdle {
 /// One measured position of the arm.
 struct RhythmPosition {
   JointAngles angles_rad{};  ///< SC, AC, GH, each within [-pi, pi]
-  /// False where SC and AC were derived from other measurements rather than measured.
+  /// False if SC and AC were derived from other measurements.
   bool measured = true;
-  /// Published scapula in thorax [rad], Y-X'-Z''. For checking only: it never drives.
+  /// Published angles of the scapula in the thorax [rad], Y-X'-Z''. They serve as a check only and
+  /// never drive a joint.
   std::optional<Vector3> scapulothoracic_rad;
 };
 
-/// Cell of the grid and a place within it.
+/// A cell of the grid and a place within it.
 struct RhythmCell {
   std::size_t elevation_index;  ///< i of equation (6): the cell lies between knots i and i + 1
   std::size_t plane_index;      ///< j of equation (7)
@@ -31,13 +32,12 @@ struct RhythmCell {
 
 /// Complete grid of measured positions over plane of elevation and humeral elevation.
 ///
-/// Knots are strictly increasing, at least two in each direction; every value is finite and every
-/// angle within
-/// [-pi, pi]. An object that exists is valid.
+/// An object that exists is valid. Each direction has at least two knots, which increase strictly.
+/// Every value is finite, and every joint angle is within [-pi, pi].
 class RhythmTable {
  public:
-  /// `positions` holds all elevations of the first plane, then of the next. Throws
-  /// std::invalid_argument that names index, value and expectation.
+  /// `positions` contains all elevations of the first plane, then those of the next plane, and so
+  /// on. Throws std::invalid_argument with a message that names index, value and expectation.
   RhythmTable(std::vector<double> planes_rad, std::vector<double> elevations_rad,
               std::vector<RhythmPosition> positions);
 
@@ -51,9 +51,9 @@ class RhythmTable {
     return positions_[plane * elevations_rad_.size() + elevation];
   }
 
-  /// Returns the cell with theta_i < elevation <= theta_i+1 and psi_j < plane <= psi_j+1 (the
-  /// lowest edges belong to the first cells) and the place within it; outside the grid those of its
-  /// nearest point, a NaN counting as the lowest.
+  /// Returns the cell with theta_i < elevation <= theta_i+1 and psi_j < plane <= psi_j+1, and the
+  /// place within it. The lowest edges belong to the first cells. Outside the grid the nearest
+  /// point of the grid is used. A NaN counts as the lowest knot.
   [[nodiscard]] RhythmCell CellAt(double elevation_rad, double plane_rad) const noexcept;
 
  private:

@@ -3,10 +3,9 @@
 
 /// Rotations as unit quaternions and as intrinsic Euler angles.
 ///
-/// Frames are in the names: `q_AB` is the rotation of frame B in frame A, so that
-/// `v_A = q_AB * v_B` and adjacent letters match in a product, `q_AC = q_AB * q_BC`.
-/// All angles are radians. Functions are total: a unit quaternion of either sign is accepted,
-/// and none of them fails or allocates.
+/// Frames are in the names: `q_AB` is the rotation of frame B in frame A. So `v_A = q_AB * v_B`,
+/// and adjacent letters match in a product: `q_AC = q_AB * q_BC`. All angles are radians. Functions
+/// are total: they accept a unit quaternion of either sign, never fail and never allocate.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +15,7 @@
 #include <numbers>
 #include <type_traits>
 
-// GLM's switches change what its types are. Girdle's library was compiled with one kind of them.
+// GLM's switches change its types. Girdle's library was compiled with one set of switches.
 #if defined(GLM_FORCE_QUAT_CTOR_XYZW) || defined(GLM_FORCE_QUAT_DATA_XYZW)
 #error \
     "Girdle constructs quaternions from w, x, y, z, and the GLM switch GLM_FORCE_QUAT_CTOR_XYZW \
@@ -26,9 +25,9 @@ the sources that include Girdle."
 
 namespace girdle {
 
-/// GLM's types without alignment: glm::dquat, glm::dvec3 and glm::dmat3, unless the switches
-/// GLM_FORCE_DEFAULT_ALIGNED_GENTYPES and GLM_FORCE_INTRINSICS make those larger types. GLM
-/// converts the ones into the others where a constructor is written.
+/// GLM's types without alignment. They are glm::dquat, glm::dvec3 and glm::dmat3, unless the
+/// switches GLM_FORCE_DEFAULT_ALIGNED_GENTYPES and GLM_FORCE_INTRINSICS make those larger. An
+/// explicit constructor converts one kind into the other.
 using Quaternion = glm::qua<double, glm::packed_highp>;
 using Vector3 = glm::vec<3, double, glm::packed_highp>;
 using Matrix3 = glm::mat<3, 3, double, glm::packed_highp>;
@@ -63,45 +62,47 @@ inline constexpr double kFullCircle_deg = 360;
   return angle_rad * kDegreesPerRadian;
 }
 
-/// Returns an angle as a person types it [deg]: without what the way to radians and back adds.
+/// Returns an angle [deg] as a person types it, without the rounding errors of the way to radians
+/// and back.
 [[nodiscard]] double TypedDegrees(double angle_rad) noexcept;
 
-/// Returns the turn by `angle_rad` about the y axis.
+/// Returns the rotation by `angle_rad` about the y axis.
 [[nodiscard]] Quaternion AboutY(double angle_rad) noexcept;
 
-/// Order in which three turns about the moving axes are applied; the first letter turns first.
+/// Order of three turns about the moving axes. The first letter turns first.
 enum class EulerSequence {
   kYXZ,  ///< Y-X'-Z'': sternoclavicular, acromioclavicular, scapulothoracic
   kXZY,  ///< X-Z'-Y'': glenohumeral
   kYXY,  ///< Y-X'-Y'': humerothoracic (plane, minus elevation, axial)
 };
 
-/// Returns the unit quaternion of three intrinsic turns [rad], in the order of `sequence`.
+/// Returns the unit quaternion of three intrinsic turns [rad], given in the order of `sequence`.
 [[nodiscard]] Quaternion QuaternionFromEuler(EulerSequence sequence,
                                              const Vector3& angles_rad) noexcept;
 
-/// Returns the three intrinsic angles [rad] of a unit quaternion, the inverse of
+/// Returns the three intrinsic angles [rad] of a unit quaternion. It is the inverse of
 /// QuaternionFromEuler.
 ///
-/// Ranges: first and third in (-pi, pi]; the second in [-pi/2, pi/2] for kYXZ and kXZY, in [-pi, 0]
-/// for kYXY (raising an arm is a negative turn about x). Where the first and the third axis
-/// coincide (second angle at the end of its range) only the sum or the difference of their angles
-/// is determined; the angles are then one of the pairs that give the rotation.
+/// The first and third angle are in (-pi, pi]. The second is in [-pi/2, pi/2] for kYXZ and kXZY,
+/// and in [-pi, 0] for kYXY, where raising an arm is a negative turn about x. At the ends of the
+/// second range the first and the third axis coincide. Only the sum or the difference of their
+/// angles is then determined, and the result is one pair of angles that gives the rotation.
 [[nodiscard]] Vector3 EulerFromQuaternion(EulerSequence sequence, const Quaternion& q_AB) noexcept;
 
-/// Returns how fast intrinsic angles change for three different axes (kYXZ, kXZY), from the angular
-/// velocity of B in A in A's axes; both by the same variable. Not finite at gimbal lock (second
-/// angle
-/// +-pi/2).
+/// Returns the rates of intrinsic angles about three different axes (kYXZ, kXZY). `w_AB` is the
+/// angular velocity of B in A, in A's axes. Rates and `w_AB` are derivatives by one variable. The
+/// result is not finite at gimbal lock, where the second angle is pi/2 or -pi/2.
 [[nodiscard]] Vector3 EulerRates(EulerSequence sequence, const Vector3& angles_rad,
                                  const Vector3& w_AB) noexcept;
 
-/// Returns the mirror image of a rotation of B in A in the plane across z, in the mirror images of
-/// both frames: those of a left shoulder's bones are the mirror images of a right one's.
+/// Returns the mirror image in the plane z = 0 of a rotation of B in A. It is the rotation between
+/// the mirror images of both frames: from a right shoulder's bones it makes those of a left
+/// shoulder.
 [[nodiscard]] inline Quaternion Mirrored(const Quaternion& q_AB) noexcept {
   return {q_AB.w, -q_AB.x, -q_AB.y, q_AB.z};
 }
-/// The same of a position, or of another vector that is no axis of turning.
+/// Returns the mirror image in the plane z = 0 of a position or of another vector that is not an
+/// axis of rotation.
 [[nodiscard]] inline Vector3 Mirrored(const Vector3& p_A) noexcept {
   return {p_A.x, p_A.y, -p_A.z};
 }
@@ -115,7 +116,7 @@ enum class EulerSequence {
 /// Returns the angle [rad] in [0, pi] between two rotations of the same frames, precise near 0.
 [[nodiscard]] double AngleBetween(const Quaternion& a, const Quaternion& b) noexcept;
 
-/// Returns `q_AB` or its negative, whichever lies in the half space of `reference`.
+/// Returns `q_AB` or its negative: the one whose dot product with `reference` is not negative.
 [[nodiscard]] Quaternion AlignedWith(const Quaternion& q_AB, const Quaternion& reference) noexcept;
 
 }  // namespace girdle

@@ -3,8 +3,8 @@
 
 /// Unit quaternions and rotation vectors over the scalars of jet.h.
 ///
-/// As in rotation.h: `q_AB` turns vectors of frame B into frame A. A rotation vector is axis times
-/// angle [rad].
+/// Frames are in the names, as in rotation.h: `q_AB` turns vectors of frame B into frame A. A
+/// rotation vector is axis times angle [rad].
 #pragma once
 
 #include <array>
@@ -43,7 +43,7 @@ struct QuaternionOf {
   [[nodiscard]] VectorOf<T> vector() const noexcept { return {x, y, z}; }
 };
 
-/// A product. The second factor may be over leaves: a rotation that does not change.
+/// Returns a product. The second factor may be over leaves, if that rotation is constant.
 template <typename T, typename U>
 [[nodiscard]] GIRDLE_INLINE QuaternionOf<T> operator*(const QuaternionOf<T>& a,
                                                       const QuaternionOf<U>& b) noexcept {
@@ -57,7 +57,7 @@ template <typename T>
   return {q.w, -q.x, -q.y, -q.z};
 }
 
-/// Element `i` of a rotation over pairs.
+/// Returns element `i` of a rotation over pairs.
 template <typename P>
 [[nodiscard]] auto Element(const QuaternionOf<P>& q, std::size_t i) noexcept
     -> QuaternionOf<decltype(Element(q.w, i))> {
@@ -80,8 +80,9 @@ constexpr std::array<double, N> ArcCosineSeries() {
   return coefficients;
 }
 
-// For angles up to half a turn (x <= (pi/2)^2) the first term left out is below 1e-16; for those up
-// to 72 deg and 25 deg, which are nearly all of GH and of SC and AC, shorter series are as good.
+// For angles up to half a turn (x <= (pi/2)^2) the first term left out is below 1e-16. Shorter
+// series are as precise for angles up to 72 deg (nearly all of GH) and up to 25 deg (nearly all of
+// SC and AC).
 inline constexpr std::size_t kExpTerms = 13;
 inline constexpr auto kCosine = AlternatingSeries<kExpTerms>(0);
 inline constexpr auto kSine = AlternatingSeries<kExpTerms>(1);
@@ -94,11 +95,12 @@ inline constexpr std::size_t kShorterExpTerms = 6;
 inline constexpr auto kShorterCosine = AlternatingSeries<kShorterExpTerms>(0);
 inline constexpr auto kShorterSine = AlternatingSeries<kShorterExpTerms>(1);
 
-// 6 (W - sin W)/W^3 in powers of W^2, for the same angles.
+// 6 (W - sin W)/W^3 in powers of W^2, for the angles of kSine and kShortSine.
 inline constexpr auto kThird = AlternatingSeries<kExpTerms>(3);
 inline constexpr auto kShortThird = AlternatingSeries<kShortExpTerms + 1>(3);
 
-// For angles up to 90 deg (y <= 0.293) the first term left out is below 1e-17; at 150 deg 1e-10.
+// For angles up to 90 deg (y <= 0.293) the first term left out is below 1e-17. At 150 deg it is
+// 1e-10.
 inline constexpr std::size_t kLogTerms = 24;
 inline constexpr auto kArcCosineOverSine = ArcCosineSeries<kLogTerms>();
 
@@ -111,7 +113,7 @@ struct CosineAndSine {
   T sine_over_root;
 };
 
-/// At a leaf.
+/// Evaluates the series at a leaf.
 template <typename L>
 [[nodiscard]] GIRDLE_INLINE CosineAndSine<L> CosineAndSineOfRoot(L x) noexcept {
   using namespace rotation_algebra_detail;  // NOLINT(google-build-using-namespace): its constants
@@ -124,7 +126,7 @@ template <typename L>
   }
   return {PolynomialValue(kCosine, x), PolynomialValue(kSine, x)};
 }
-/// The cosine's derivative is the other one times -1/2.
+/// Evaluates the series at a jet. The derivative of the cosine is -1/2 times the other function.
 template <typename L, int Order>
 [[nodiscard]] GIRDLE_INLINE CosineAndSine<Jet<L, Order>> CosineAndSineOfRoot(
     const Jet<L, Order>& x) noexcept {
@@ -147,8 +149,8 @@ template <typename T>
           {value.sine_over_root, slope * x.slope}};
 }
 
-/// Returns the unit quaternion of a rotation vector of at most half a turn; beyond, its norm
-/// departs from 1.
+/// Returns the unit quaternion of a rotation vector. Precondition: at most half a turn. For longer
+/// vectors its norm departs from 1.
 ///
 ///     exp(u) = (cos |u|/2, sin(|u|/2) u/|u|)
 template <typename T>
@@ -159,8 +161,8 @@ template <typename T>
   return {half.cosine, scale * u[0], scale * u[1], scale * u[2]};
 }
 
-/// A rotation of the form exp(u) m, m constant, with its angular velocity in the parent's axes
-/// along two directions of change u_1 and u_2. L is a leaf.
+/// A rotation exp(u) m with constant m, and its angular velocities in the parent's axes: w_1 when u
+/// changes by u_1, w_2 when it changes by u_2. L is a leaf.
 template <typename L>
 struct MovingRotation {
   QuaternionOf<L> q;
@@ -177,11 +179,11 @@ template <typename L>
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// With W = |u|:
+/// Returns exp(u) m with its angular velocities for the changes u_1 and u_2 of u. With W = |u|:
 ///
 ///     w_i = u_i + (1 - cos W)/W^2 u x u_i + (W - sin W)/W^3 u x (u x u_i)
 ///
-/// (the left Jacobian of the rotation group), where (1 - cos W)/W^2 = (sin(W/2)/(W/2))^2 / 2.
+/// This is the left Jacobian of the rotation group, with (1 - cos W)/W^2 = (sin(W/2)/(W/2))^2 / 2.
 template <typename L>
 [[nodiscard]] GIRDLE_INLINE MovingRotation<L> MovingExp(const VectorOf<L>& u,
                                                         const VectorOf<L>& u_1,
@@ -211,7 +213,8 @@ struct TurningRotation {
   VectorOf<P> w;
 };
 
-/// exp(u) m where u changes by u_1, as MovingExp, over any scalar.
+/// Returns exp(u) m with its angular velocity when u changes by u_1. The formula is that of
+/// MovingExp, over any scalar.
 template <typename P, typename M>
 [[nodiscard]] TurningRotation<P> TurningExp(const VectorOf<P>& u, const VectorOf<P>& u_1,
                                             const QuaternionOf<M>& m) noexcept {
@@ -225,12 +228,12 @@ template <typename P, typename M>
   return {exp * m, u_1 + Scaled(second, once) + Scaled(third, Cross(u, once))};
 }
 
-/// -1 where a number is negative, 1 elsewhere.
+/// Returns -1 for negative numbers, otherwise 1.
 [[nodiscard]] inline double SignOf(double x) noexcept { return x < 0 ? -1 : 1; }
 [[nodiscard]] inline Pair SignOf(Pair x) noexcept { return Pair::WhereLess(x, 0.0, -1.0, 1.0); }
 
-/// Returns the rotation vector of a unit quaternion, by a series that is exact to rounding for
-/// angles up to 90 deg.
+/// Returns the rotation vector of a unit quaternion. The series is exact to rounding for angles up
+/// to 90 deg.
 ///
 ///     log(w, v) = 2 arccos(w)/sqrt(1 - w^2) v, with the sign of q chosen so that w >= 0
 template <typename T>
@@ -241,7 +244,7 @@ template <typename T>
   return Scaled(sign * factor, q.vector());
 }
 
-/// Returns the turn by an angle about y.
+/// Returns the rotation by an angle about y.
 template <typename T>
 [[nodiscard]] QuaternionOf<T> AboutYOf(const T& angle_rad) noexcept {
   const SineAndCosine<T> half = SineAndCosineOf(T(0.5 * angle_rad));
@@ -257,7 +260,7 @@ template <typename T>
   return Scaled(T(2.0), (slope * Inverse(value)).vector());
 }
 
-/// The rotation without its slope.
+/// Returns the rotation without its slope.
 template <typename T>
 [[nodiscard]] QuaternionOf<T> ValueOf(const QuaternionOf<Dual<T>>& q) noexcept {
   return {q.w.value, q.x.value, q.y.value, q.z.value};

@@ -3,9 +3,9 @@
 
 /// Interpolation of unit quaternions as Kim et al. use it: slerp and squad.
 ///
-/// Quaternions are taken with the sign they have: the curve from `a` to `b` takes the long way
-/// round when a . b < 0. Align signs first (AlignedWith). Parameters t are in [0, 1]. W is the
-/// length of an arc [rad], half the angle of the turn, and cos(W) = a . b.
+/// A quaternion keeps its sign: the curve from `a` to `b` takes the long way round when a . b < 0.
+/// Align signs first (AlignedWith). Parameters t are in [0, 1]. W is the length of an arc [rad],
+/// which is half the angle of the turn: cos(W) = a . b.
 #pragma once
 
 #include <algorithm>
@@ -19,22 +19,22 @@
 
 namespace girdle {
 
-/// Returns the point at t on the great arc from a to b, equation (1). At t = 0 and t = 1 it is a
-/// and b exactly. Opposite quaternions (a = -b) have no unique arc; the result is then a finite
-/// unit quaternion.
+/// Returns the point at t on the great arc from a to b, equation (1). It is exactly a at t = 0 and
+/// exactly b at t = 1. Opposite quaternions (a = -b) have no unique arc; the result is then a
+/// finite unit quaternion.
 [[nodiscard]] Quaternion Slerp(const Quaternion& a, const Quaternion& b, double t) noexcept;
 
-/// Returns the inner control point s_i of knot q_i between its neighbours, equation (5).
+/// Returns the inner control point s_i of knot q_i with its two neighbours, equation (5).
 [[nodiscard]] Quaternion SquadControl(const Quaternion& q_previous, const Quaternion& q_i,
                                       const Quaternion& q_next) noexcept;
 
-/// Returns the point at t on the spherical quadrangle curve from q_i to q_next, equation (4), with
-/// the inner control points s_i and s_next.
+/// Returns the point at t on the spherical quadrangle curve from q_i to q_next, equation (4). Its
+/// inner control points are s_i and s_next.
 [[nodiscard]] Quaternion Squad(const Quaternion& q_i, const Quaternion& q_next,
                                const Quaternion& s_i, const Quaternion& s_next, double t) noexcept;
 
-/// A unit quaternion as a point of the unit sphere in four dimensions. Slerp and squad need no
-/// product of quaternions: they are sums of points with weights.
+/// A unit quaternion as a point of the unit sphere in four dimensions. Slerp and squad are weighted
+/// sums of such points and need no product of quaternions.
 struct SpherePoint {
   Pair xy;
   Pair zw;
@@ -57,36 +57,38 @@ struct SpherePoint {
   }
 };
 
-/// Great arcs, each from a point to another. Refers to points and lengths that are kept elsewhere.
+/// Several great arcs, each from one point to another. Only refers to points and lengths, which are
+/// stored elsewhere.
 ///
-/// Arcs that are divided at the same t are evaluated together: one by one each would make the
-/// series for t anew and wait for its own last term. Their lengths do not depend on t and may be
-/// kept with the points.
+/// Arcs that are divided at the same t are evaluated together. One arc alone would compute the
+/// series for t again and would wait for its last term. The lengths do not depend on t, so they can
+/// be stored with the points.
 struct Arcs {
   std::span<const SpherePoint> from;
   std::span<const SpherePoint> to;
-  std::span<const double> cosine_less_one;  ///< cos(W) - 1 of each, in [-2, 0] but for rounding
-  double least;                             ///< none of these is below it
+  std::span<const double> cosine_less_one;  ///< cos(W) - 1 of each arc, in [-2, 0] up to rounding
+  double least;                             ///< lower bound of `cosine_less_one`
 
   [[nodiscard]] Arcs Part(std::size_t first, std::size_t count) const noexcept {
     return {from.subspan(first, count), to.subspan(first, count),
             cosine_less_one.subspan(first, count), least};
   }
 
-  /// As Slerp, of each. Precondition: as many `points` as arcs.
+  /// Computes Slerp of each arc at t. Precondition: as many `points` as arcs.
   void At(double t, std::span<SpherePoint> points) const noexcept;
 };
 
-/// Returns the arcs between points; puts their lengths into `cosine_less_one`. Precondition: as
-/// many of each.
+/// Returns the arcs between two sets of points and writes their lengths into `cosine_less_one`.
+/// Precondition: the three spans have the same size.
 [[nodiscard]] Arcs MeasuredArcs(std::span<const SpherePoint> from, std::span<const SpherePoint> to,
                                 std::span<double> cosine_less_one) noexcept;
 
-/// As for quaternions, of each knot between an arc `before` that ends at it and one `after` that
-/// starts at it. Precondition: as many of each.
+/// Computes SquadControl of each knot. The arc `before` ends at the knot and the arc `after` starts
+/// at it. Precondition: as many arcs of each kind as controls.
 void SquadControl(const Arcs& before, const Arcs& after, std::span<SpherePoint> controls) noexcept;
 
-/// As for quaternions, of each. Precondition: as many of each, at most MostArcs.
+/// Computes Squad of each arc at t. Precondition: as many knots, controls and points, at most
+/// MostArcs.
 template <std::size_t MostArcs>
 void Squad(const Arcs& knots, const Arcs& controls, double t,
            std::span<SpherePoint> points) noexcept;
@@ -96,8 +98,8 @@ namespace rotation_spline_detail {
 // sin(t W) / sin(W) as a power series in y = cos(W) - 1, which needs neither W nor a sine:
 //   sin(t W) / sin(W) = t (1 + c_1 y (1 + c_2 y (1 + ...))),   c_i = t^2 / (i (2i+1)) - i / (2i+1)
 // (D. Eberly, A Fast and Accurate Algorithm for Computing SLERP, J. Graphics Tools 2011;15:161).
-// Returns the coefficients of y^0, y^1, ... times `scale` / t. At t = 1 they are 1, 0, 0, ...
-// exactly; at t = 0, with a scale of 1, they are those of the limit W / sin(W).
+// Returns the coefficients of y^0, y^1, ... times `scale` / t. At t = 1 they are exactly 1, 0, 0,
+// ... At t = 0, with a scale of 1, they are those of the limit W / sin(W).
 template <std::size_t Terms, typename Scalar>
 GIRDLE_INLINE constexpr std::array<Scalar, Terms> SeriesCoefficients(Scalar scale,
                                                                      Scalar t_squared) noexcept {
@@ -123,11 +125,12 @@ struct Series {
   static constexpr std::size_t kTerms = Terms;
 };
 
-// Calls `near` with the series for arcs with cos(W) - 1 down to `least`, or `far` where that would
-// be long. The first term left out is at most n! / (2n+1)!! |least|^n, in each case below 1e-16,
-// half a unit in the last place. The measured table's neighbours along elevation are within the
-// second limit, those along plane within the third, and squad's inner arcs within the first: what
-// is chosen is the same for all its cells, which a processor predicts.
+// Calls `near` with the series for arcs whose cos(W) - 1 is at least `least`. Calls `far` if that
+// series would be long. The first term left out is at most n! / (2n+1)!! |least|^n, in each case
+// below 1e-16, half a unit in the last place. In the measured table neighbours along elevation are
+// within the second limit, neighbours along plane within the third, and squad's inner arcs within
+// the first. The choice is therefore the same for all cells of the table, and a processor can
+// predict it.
 template <typename Near, typename Far>
 GIRDLE_INLINE void WithSeries(double least, Near near, Far far) noexcept {
   if (least > -2e-4) {
@@ -145,10 +148,10 @@ GIRDLE_INLINE void WithSeries(double least, Near near, Far far) noexcept {
   }
 }
 
-/// Slerp of arcs one of which is far: each goes its own way.
+/// Slerp of arcs, computed one by one. For sets with a far arc.
 void SlerpOneByOne(const Arcs& arcs, double t, std::span<SpherePoint> points) noexcept;
 
-/// W / sin(W), and for W beyond a right angle W - pi in place of W: the logarithm's choice of sign.
+/// W / sin(W). If W is more than a right angle, W - pi replaces W: the logarithm's choice of sign.
 [[nodiscard]] double TrigonometricArcOverSine(double cosine) noexcept;
 
 // Slerp of near arcs.

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// The three joint rotations of a right shoulder, their nine measured angles, and the arm they
-/// produce.
+/// The three joint rotations of a right shoulder, the nine angles that describe them, and the
+/// direction of the arm that follows.
 ///
 /// Frames (ISB; x anterior, y up, z to the right): T thorax, C clavicle, S scapula, H humerus. The
-/// humerus's y runs from the elbow up, so a hanging arm points along -y. A left shoulder is the
-/// mirror image in the sagittal plane and has the same angles.
+/// y axis of the humerus runs from the elbow up, so a hanging arm points along -y. A left shoulder
+/// is the mirror image in the sagittal plane and has the same angles.
 #pragma once
 
 #include <array>
@@ -21,8 +21,8 @@ inline constexpr std::size_t kJointCount = 3;
 inline constexpr std::size_t kCoordinateCount = 9;
 
 /// Names of the nine joint coordinates in turning order: SC (Y-X'-Z''), AC (Y-X'-Z''), GH
-/// (X-Z'-Y''). They are the stems of joints and actuators in models (`sc_protraction_r`) and of
-/// columns (`sc_protraction_deg`).
+/// (X-Z'-Y''). Names of joints and actuators in models (`sc_protraction_r`) and of columns
+/// (`sc_protraction_deg`) begin with them.
 inline constexpr std::array<std::string_view, kCoordinateCount> kCoordinateNames = {
     "sc_protraction",        // protraction +
     "sc_elevation",          // elevation -, depression +
@@ -35,7 +35,7 @@ inline constexpr std::array<std::string_view, kCoordinateCount> kCoordinateNames
     "gh_axial",              // internal rotation +
 };
 
-/// Position of the humerus's own long-axis angle among the coordinates.
+/// Index of the humerus's axial angle among the nine coordinates.
 inline constexpr std::size_t kGhAxialIndex = 8;
 
 /// Short names of the joints, in the order of their coordinates.
@@ -69,7 +69,8 @@ struct ShoulderPose {
   [[nodiscard]] Quaternion q_TH() const noexcept { return q_TC * q_CS * q_SH; }
 };
 
-/// Where the humerus is in the thorax: Y-X'-Y'' with the sign of the second angle turned.
+/// The direction and turn of the humerus in the thorax: the angles Y-X'-Y'' of q_TH, the second one
+/// with its sign reversed.
 struct ArmAngles {
   double elevation_rad;  ///< angle between the humerus and hanging down, [0, pi]
   double plane_rad;  ///< 0 frontal, pi/2 sagittal (forward), (-pi, pi]; no meaning at elevation 0
@@ -77,20 +78,25 @@ struct ArmAngles {
   double axial_rad;  ///< turn about the long axis after plane and elevation, internal +, (-pi, pi]
 };
 
+/// Returns the pose of a right shoulder with these nine angles [rad].
 [[nodiscard]] ShoulderPose PoseFromAngles(const JointAngles& angles_rad) noexcept;
 
-/// GH's axial angle is given within half a turn of this one [rad], about the middle of what a
-/// shoulder does: behind the body it passes -180 deg, where a joint coordinate must not leap.
+/// GH's axial angle is given within half a turn of this one [rad]. It is about the middle of what a
+/// shoulder does. Behind the body the angle passes -180 deg, and a joint coordinate must not jump
+/// there.
 inline constexpr double kGhAxialMiddle_rad = -kPi / 4;
 
-/// Returns the nine angles [rad] of a pose; ranges as in EulerFromQuaternion, but for GH's axial
-/// angle in (-5 pi/4, 3 pi/4].
+/// Returns the nine angles [rad] of a pose. Ranges are those of EulerFromQuaternion, except for
+/// GH's axial angle, which is in (-5 pi/4, 3 pi/4].
 [[nodiscard]] JointAngles AnglesFromPose(const ShoulderPose& pose) noexcept;
 
-/// Returns the pose of an arm that turns in GH alone: the girdle as in `at`, the humerus in the
-/// thorax as in `pose`, q_SH = (q_TC q_CS)^-1 q_TH with q_TC, q_CS of `at` and q_TH of `pose`.
+/// Returns the pose of an arm that turns in GH alone: `at` gives the girdle, `pose` gives the
+/// humerus in the thorax. q_SH = (q_TC q_CS)^-1 q_TH with q_TC, q_CS of `at` and q_TH of `pose`.
 [[nodiscard]] ShoulderPose FrozenGirdle(const ShoulderPose& pose, const ShoulderPose& at) noexcept;
 
+/// Returns the arm angles of the humerus in the thorax. At elevation 0 only the sum of plane and
+/// axial is determined, and at pi only their difference. The result is then one pair of angles that
+/// gives the rotation.
 [[nodiscard]] ArmAngles ArmAnglesFromRotation(const Quaternion& q_TH) noexcept;
 
 }  // namespace girdle

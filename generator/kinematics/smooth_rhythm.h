@@ -1,26 +1,33 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// The smooth interpolant of a measured rhythm, and its continuation to all that an arm can do.
+/// The smooth interpolant of a measured rhythm, and its continuation to every direction that an arm
+/// reaches.
 ///
-/// Within the table: with m the mean of a joint's rotations (Frechet's: the sum of logarithms at it
-/// is zero), u = log(q m^-1) of every position is interpolated by a twice continuously
-/// differentiable tensor-product spline (surface_spline.h), and q = exp(u) m. The curve passes
-/// through every position; exp being analytic it is as smooth as the spline. A base point is needed
-/// because rotations have no coordinates that are the same everywhere; the mean is the one that
-/// needs no choice: it turns with the data, so that turning all rotations of a joint in the parent
-/// or in the child turns the interpolant alike. Chained or blended slerps (squad, and its C2
-/// relatives) have no coefficients that could be computed once, and are C2 in one direction only.
+/// Within the table, each joint's rotations q are interpolated about a base point m:
 ///
-/// The humerus's turn about its own long axis is a number, tau: the table's arm q_TC q_CS q_SH is
-/// S Ry(tau), S the smallest rotation that takes the hanging arm where the table's arm points. It
-/// is interpolated by the same spline.
+///     q = exp(u) m,   u = log(q m^-1) at the table's positions
 ///
-/// Outside the table: a rule fitted to what was measured in vivo above 120 deg of elevation and
-/// outside planes 0 to 90 (Henninger, Bourne, Matsuki, Sahara and others, as collected by Moissenet
-/// et al., J Biomech 2025, doi 10.1016/j.jbiomech.2025.112642). It is a model, not a measurement;
-/// it misses those sets by 1 to 4 deg rms. It has a continuous first derivative, and one value
-/// at elevations 0 and 180, where the plane has no meaning.
+/// m is the mean of the joint's rotations (Frechet's mean: the sum of the logarithms at it is
+/// zero). u is interpolated by a tensor-product spline with continuous second derivatives
+/// (surface_spline.h). The result passes through every position and is as smooth as the spline,
+/// because exp is analytic.
+///
+/// A base point is needed because no coordinates of rotations are equally good everywhere. The mean
+/// leaves no choice: it turns with the data. If all rotations of a joint are turned in the parent
+/// or in the child, the interpolant turns by the same rotation. Chains and blends of slerps (squad
+/// and its C2 relatives) have no coefficients that can be computed once, and they are C2 in one
+/// direction only.
+///
+/// The humerus's turn about its own long axis is a number, tau. The table's arm is q_TC q_CS q_SH =
+/// S Ry(tau), where S is the smallest rotation from the hanging arm to where the table's arm
+/// points. The same kind of spline interpolates tau.
+///
+/// Outside the table a rule answers. It is fitted to in-vivo measurements above 120 deg of
+/// elevation and outside planes 0 to 90 (Henninger, Bourne, Matsuki, Sahara and others, as
+/// collected by Moissenet et al., J Biomech 2025, doi 10.1016/j.jbiomech.2025.112642). The rule is
+/// a model, not a measurement: it misses those sets by 1 to 4 deg rms. It has a continuous first
+/// derivative. At elevations 0 and 180, where the plane has no meaning, it has one value.
 #pragma once
 
 #include <cstddef>
@@ -33,22 +40,23 @@
 
 namespace girdle {
 
-/// Clavicle in thorax and scapula in clavicle as the two elements of one rotation, and tau [rad].
+/// Clavicle in thorax and scapula in clavicle as the two elements of one rotation; tau [rad].
 template <typename T>
 struct GirdleOf {
   QuaternionOf<PairOf<T>> q_TC_CS;
   T turn_rad;
 };
 
-/// The same two, and humerus in scapula.
+/// Clavicle in thorax and scapula in clavicle as the two elements of one rotation; humerus in
+/// scapula.
 template <typename T>
 struct JointsOf {
   QuaternionOf<PairOf<T>> q_TC_CS;
   QuaternionOf<T> q_SH;
 };
 
-/// SC and AC, tau, and how they change with elevation and plane: angular velocities of the child in
-/// the parent, parent's axes.
+/// SC and AC, tau, and their rates by elevation and plane. The rates of SC and AC are angular
+/// velocities of the child in the parent, in the parent's axes [rad/rad].
 struct GirdleRates {
   MovingRotation<Pair> q_TC_CS;
   double turn_rad;
@@ -56,7 +64,7 @@ struct GirdleRates {
   double turn_by_plane;
 };
 
-/// SC and AC, and GH, likewise.
+/// SC and AC, and GH, with their angular velocities by elevation and plane, in the parent's axes.
 struct JointRates {
   MovingRotation<Pair> q_TC_CS;
   MovingRotation<double> q_SH;
@@ -69,43 +77,45 @@ class SmoothRhythm {
   static constexpr std::size_t kFewestElevations = 4;
   static constexpr std::size_t kFewestPlanes = 3;
 
-  /// Throws std::invalid_argument if the table has too few knots, or rotations half a turn from
-  /// their mean.
+  /// Throws std::invalid_argument if the table has too few knots, or if a rotation is half a turn
+  /// from the mean of its joint.
   explicit SmoothRhythm(const RhythmTable& table);
 
-  /// Throws std::invalid_argument if the rule for the whole range cannot go on from this table, the
-  /// one it was made with: its lowest or highest rows are more than a right angle from where the
-  /// rule goes.
+  /// Throws std::invalid_argument if the rule for the whole range cannot continue this table: if
+  /// the lowest or highest row is more than a right angle from the rule's rotation at elevation 0
+  /// or 180. `table` is the one that this object was made with.
   void CheckWholeRange(const RhythmTable& table) const;
 
-  /// Clavicle, scapula and tau for T double or Jet<double, 1 or 2>, whose coordinates are the two
-  /// arguments: jets carry the derivatives by elevation and plane. Elevation in [0, pi], plane
-  /// anything; outside the table by the rule.
+  /// Returns clavicle, scapula and tau. T is double or Jet<double, 1 or 2>. A jet's coordinates are
+  /// the two arguments: it carries the derivatives by elevation and plane. Precondition: elevation
+  /// in [0, pi]. The plane may be any number. Outside the table the rule answers.
   template <typename T>
   [[nodiscard]] GirdleOf<T> Girdle(double elevation_rad, double plane_rad) const noexcept;
 
-  /// All three joints, within the table, the humerus in the scapula from the table too. T as above.
+  /// Returns all three joints as the table has them, also the humerus in the scapula. T is double
+  /// or Jet<double, 1 or 2>. Precondition: the direction is within the table.
   template <typename T>
   [[nodiscard]] JointsOf<T> Joints(double elevation_rad, double plane_rad) const noexcept;
 
-  /// The same with first derivatives, within the table, in less time than with jets.
+  /// Girdle and Joints with first derivatives, in less time than with jets. Precondition: the
+  /// direction is within the table.
   [[nodiscard]] GirdleRates RatesOfGirdle(double elevation_rad, double plane_rad) const noexcept;
   [[nodiscard]] JointRates RatesOfJoints(double elevation_rad, double plane_rad) const noexcept;
 
-  /// Girdle<double> of four commands of one region, with the bits that each has alone: the first
-  /// function for the region 0, the second for every other. Their definitions are in
-  /// smooth_rhythm_rule.h, for a caller who compiles them for his processor.
+  /// Girdle<double> of four commands of one region. Each command has the bits that it has alone.
+  /// The first function is for region 0, the second for all other regions. Both are defined in
+  /// smooth_rhythm_rule.h, so that a caller can compile them for its processor.
   [[nodiscard]] GirdleOf<Four> GirdlesInTable(const Four& elevations_rad,
                                               const Four& planes_rad) const noexcept;
   [[nodiscard]] GirdleOf<Four> GirdlesBeyondTable(const Four& elevations_rad,
                                                   const Four& planes_rad) const noexcept;
-  /// q_SH of Joints, likewise.
+  /// q_SH of Joints for four commands. Each command has the bits that it has alone.
   [[nodiscard]] QuaternionOf<Four> HumeriInScapulae(const Four& elevations_rad,
                                                     const Four& planes_rad) const noexcept;
 
   static constexpr std::size_t kRegions = 18;
-  /// Returns in which region a command lies, below kRegions: all of a region take the same way
-  /// through the rule. 0 is the table.
+  /// Returns the region that contains a command, less than kRegions. All commands of a region take
+  /// the same way through the rule. Region 0 is the table.
   [[nodiscard]] std::size_t RegionOf(double elevation_rad, double plane_rad) const noexcept;
 
  private:
@@ -124,22 +134,22 @@ class SmoothRhythm {
 
   [[nodiscard]] MovingRotation<Pair> MovingGirdle(const SurfaceGrid::Place& place) const noexcept;
 
-  /// u of SC and AC, and tau, or derivatives of them.
+  /// u of SC and AC, and tau; or derivatives of them.
   template <typename T>
   struct Surfaces {
     VectorOf<PairOf<T>> u;
     T turn_rad;
   };
-  /// The derivative of order (I, J). One coordinate is of type T and the other a number; for T =
-  /// Four both may be of type T.
+  /// The derivative of order I by elevation and J by plane. One coordinate has type T, the other is
+  /// a number. For T = Four both may have type T.
   template <typename T, std::size_t I, std::size_t J, typename E, typename P>
   [[nodiscard]] Surfaces<T> SurfacesAt(const E& elevation_rad, const P& plane_rad) const noexcept;
   template <std::size_t I, std::size_t J, typename E, typename P>
   [[nodiscard]] Surfaces<Four> SurfacesOfFour(const E& elevation_rad,
                                               const P& plane_rad) const noexcept;
 
-  /// The table at its first or last plane: SC and AC, how they turn with the plane (parent's axes),
-  /// and tau.
+  /// The table at its first or last plane: SC and AC, their angular velocities by plane (parent's
+  /// axes), and tau with its derivative by plane.
   template <typename T>
   struct Edge {
     QuaternionOf<PairOf<T>> q;
@@ -159,12 +169,12 @@ class SmoothRhythm {
   template <typename T>
   [[nodiscard]] static ElevationSine<T> SineOf(const T& elevation_rad) noexcept;
 
-  /// A corner of the table, with its derivatives by elevation, and a place on the edge further in.
+  /// A corner of the table and an inner place on the same edge, both with derivatives by elevation.
   struct Corner {
     Edge<Dual<double>> edge;
     Edge<Dual<double>> inner_edge;
   };
-  /// The first or the last elevation of the table.
+  /// The first or last elevation of the table.
   struct EndRow {
     double elevation_rad;
     std::optional<double> inner_elevation_rad;
@@ -175,7 +185,7 @@ class SmoothRhythm {
   };
   [[nodiscard]] EndRow EndRowAt(double elevation_rad,
                                 std::optional<double> inner_elevation_rad) const noexcept;
-  /// What the rule needs of such a row at a plane, slopes by elevation if asked for.
+  /// Values of an end row at a plane, as the rule needs them. Slopes by elevation are optional.
   template <typename T>
   struct Row {
     QuaternionOf<PairOf<T>> q;
@@ -184,7 +194,7 @@ class SmoothRhythm {
     T turn_by_elevation;
     QuaternionOf<PairOf<T>> inner_q;
   };
-  /// From derivatives by plane alone.
+  /// Makes jets of rows that have derivatives by plane only.
   [[nodiscard]] static Row<Jet<double, 1>> AsJets(const Row<Dual<double>>& row) noexcept;
   template <typename T>
   [[nodiscard]] Row<T> RowAt(const T& plane_rad, const EndRow& end,
@@ -213,11 +223,11 @@ class SmoothRhythm {
   /// girdle_ and turn_ side by side: (SC x, AC x, SC y, AC y), (SC z, AC z, tau, 0).
   SurfaceSpline<Four, 2> four_;
   SurfaceSpline<Four, 1> glenohumeral_four_;  ///< (x, y, z, 0)
-  QuaternionOf<FourPairs> mean_fours_;        ///< mean_ of SC and AC
-  QuaternionOf<Pair> hanging_;                ///< where the rule goes at elevation 0
-  QuaternionOf<Pair> upright_;                ///< at elevation 180
+  QuaternionOf<FourPairs> mean_fours_;        ///< mean_ of SC and AC, each number four times
+  QuaternionOf<Pair> hanging_;                ///< SC and AC of the rule at elevation 0
+  QuaternionOf<Pair> upright_;                ///< SC and AC of the rule at elevation 180
   double hanging_turn_rad_ = 0;               ///< tau at elevation 0
-  double span_rad_;                           ///< below the top, over which the mean rate is taken
+  double span_rad_;  ///< elevations below the highest row that the mean rate is taken over
   EndRow bottom_;
   EndRow top_;
 };

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// How SmoothRhythm answers, for every scalar that it answers with: what smooth_rhythm.cc and
-/// solve_many.cc make their functions from. Nobody else needs it.
+/// Definitions of SmoothRhythm's templates, for every scalar type. Only smooth_rhythm.cc and
+/// solve_many.cc include this file.
 #pragma once
 
 #include <algorithm>
@@ -20,12 +20,12 @@ namespace smooth_rhythm_detail {
 // ---- The rule's constants, from the in-vivo sets named in smooth_rhythm.h.
 
 // Turn of clavicle and scapula (in AC) about the parent's y, per degree that a level arm goes
-// beyond the last plane: Bourne's scapula turns by 0.5 to 0.6, three times the table's last slope.
+// beyond the last plane. Bourne's scapula turns by 0.5 to 0.6, three times the table's last slope.
 inline constexpr std::array<double, 2> kAcross = {0.34, 0.11};
-// Over this many radians beyond the first or last plane the table's own slope fades out.
+// The table's own slope fades out over this angle beyond the first or last plane.
 inline constexpr double kPlaneFading_rad = 5 * kRadiansPerDegree;
 
-// The arguments as scalars of type T: numbers, or the variables of jets.
+// The two arguments as scalars of type T: numbers, or the variables of jets.
 template <typename T>
 struct Variables {
   T elevation_rad;
@@ -41,7 +41,7 @@ Variables<T> VariablesAt(double elevation_rad, double plane_rad) noexcept {
   return variables;
 }
 
-// The surfaces at the point itself, by the quickest way.
+// Returns the surfaces at the point itself, by the fastest way.
 template <typename T, typename L, std::size_t K>
 GIRDLE_INLINE auto AtPoint(const SurfaceSpline<L, K>& surface,
                            const SurfaceGrid::Place& place) noexcept {
@@ -52,7 +52,7 @@ GIRDLE_INLINE auto AtPoint(const SurfaceSpline<L, K>& surface,
   }
 }
 
-// A number is the same for all four poses.
+// Returns the number of one pose. A double is equal for all four poses.
 GIRDLE_INLINE double OfPose(double x, std::size_t /*pose*/) noexcept { return x; }
 GIRDLE_INLINE double OfPose(const Four& x, std::size_t pose) noexcept { return x[pose]; }
 
@@ -62,7 +62,8 @@ GIRDLE_INLINE QuaternionOf<T> FromMeanBy(const VectorOf<T>& u,
   return ExpOf(u) * mean;
 }
 
-// 3 s^2 - 2 s^3, from 0 to 1 with no slope at the ends; s - 2 s^2 + s^3, slope 1 at 0 only.
+// Step is 3 s^2 - 2 s^3: from 0 to 1, with slope 0 at both ends. Start is s - 2 s^2 + s^3: 0 at
+// both ends, with slope 1 at s = 0 and slope 0 at s = 1.
 template <typename T>
 T Step(const T& s) noexcept {
   return s * s * (T(3.0) - 2.0 * s);
@@ -73,7 +74,7 @@ T Start(const T& s) noexcept {
   return s * left * left;
 }
 
-// A rotation that does not change with elevation and plane, as one over T.
+// Returns a constant rotation as a rotation over T.
 template <typename T>
 QuaternionOf<PairOf<T>> Constant(const QuaternionOf<Pair>& q) noexcept {
   using P = PairOf<T>;
@@ -124,12 +125,13 @@ SmoothRhythm::Surfaces<Four> SmoothRhythm::SurfacesOfFour(const E& elevation_rad
 
 // ---- Beyond the table.
 
-// Beyond the first or last plane e, x = psi - e, w = the angular velocity with psi at the edge:
+// Beyond the first or last plane e, with x = psi - e, L = kPlaneFading_rad and w the angular
+// velocity by psi at the edge:
 //   g = sign(x) L (1 - exp(-|x|/L))
 //   q = Ry(k sin(theta) (x - g)) exp(w g) q(theta, e)              k = 0 below the first plane
 //   tau = tau(theta, e) + dtau/dpsi g + sin(min(theta, 90)) (x - g)
 
-// What does not depend on elevation: g and x - g.
+// The part that does not depend on elevation: g and x - g.
 template <typename T>
 struct SmoothRhythm::Beyond {
   bool is_above;
@@ -171,8 +173,8 @@ GIRDLE_INLINE GirdleOf<S> SmoothRhythm::Across(const Edge<S>& edge, const Beyond
   return {AboutYOf(PairOf<S>(Both(elevation.sine * beyond.rest) * per_rad)) * faded, turn};
 }
 
-// Above the table, x = theta - theta_1, half = (180 - theta_1) / 2, w the mean rate below the top,
-// w_e the angular velocity with theta at it, V = log(Q_180 q_1^-1):
+// Above the table, with x = theta - theta_1, half = (180 - theta_1) / 2, w the mean rate below the
+// highest row, w_e the angular velocity by theta at that row and V = log(Q_180 q_1^-1):
 //   x <= half:  v = w x + [x < half / 2] (w_e - w) x (1 - x / (half / 2))^2
 //   x > half:   s = (x - half) / half,
 //               v = half w (1 - 3 s^2 + 2 s^3) + V (3 s^2 - 2 s^3) + half w (s - 2 s^2 + s^3)
@@ -204,9 +206,9 @@ GirdleOf<T> SmoothRhythm::AboveTable(const T& elevation_rad, const T& plane_rad)
   return {ExpOf(v) * top.q, turn};
 }
 
-// Below the table, s = 1 - theta / theta_0, w the angular velocity with theta at theta_0,
+// Below the table, with s = 1 - theta / theta_0, w the angular velocity by theta at theta_0 and
 // V = log(Q_hanging q_0^-1):
-//   q = exp(V (3 s^2 - 2 s^3) - theta_0 w (s - 2 s^2 + s^3)) q_0, and tau likewise
+//   q = exp(V (3 s^2 - 2 s^3) - theta_0 w (s - 2 s^2 + s^3)) q_0, and tau by the same polynomials
 template <typename T>
 GirdleOf<T> SmoothRhythm::BelowTable(const T& elevation_rad, const T& plane_rad) const noexcept {
   using namespace smooth_rhythm_detail;  // NOLINT(google-build-using-namespace): its functions
@@ -221,15 +223,15 @@ GirdleOf<T> SmoothRhythm::BelowTable(const T& elevation_rad, const T& plane_rad)
                                    start * bottom.turn_by_elevation};
 }
 
-// The last or first row of the table and what it goes on from, also beyond the planes. There the
-// places of the table that count are its corners, which are known.
+// The last or first row of the table and the inner row that gives the mean rate, at any plane.
+// Beyond the table's planes only its corners count, and they are precomputed.
 template <typename T>
 SmoothRhythm::Row<T> SmoothRhythm::RowAt(const T& plane_rad, const EndRow& end,
                                          bool with_slopes) const noexcept {
   using namespace smooth_rhythm_detail;  // NOLINT(google-build-using-namespace): its functions
   using P = PairOf<T>;
   if constexpr (std::is_same_v<T, Jet<double, 1>>) {
-    // A row does not depend on elevation: one derivative is enough.
+    // A row does not depend on elevation, so one derivative is enough.
     const Dual<double> psi{plane_rad.part[kValue], plane_rad.part[kByPlane]};
     return AsJets(RowAt(psi, end, with_slopes));
   }

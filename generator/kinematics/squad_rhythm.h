@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// The published interpolation of a measured rhythm: squad, or slerp in its place, along elevation
-/// and then along plane.
+/// The published interpolation of a measured rhythm: squad (or slerp instead) along elevation, then
+/// along plane.
 ///
-/// Kim, Park, Jung, Han, "Data-driven shoulder inverse kinematics"; equation numbers are theirs.
+/// Method: Kim, Park, Jung, Han, "Data-driven shoulder inverse kinematics". Equation numbers below
+/// are the paper's.
 #pragma once
 
 #include <array>
@@ -20,13 +21,15 @@ namespace girdle {
 /// Rotations of the joints of a shoulder: SC, AC, GH.
 using JointRotations = std::array<Quaternion, kJointCount>;
 
+/// Interpolates the joints of a table by equations (4) to (12). Immutable. Evaluation is
+/// thread-safe and allocates nothing.
 class SquadRhythm {
  public:
-  /// With slerp in place of squad unless `smooths`. Throws std::invalid_argument if neighbouring
-  /// planes differ by 180 degrees or more, so that the way between them is not determined.
+  /// Uses squad if `smooths` is true, otherwise slerp. Throws std::invalid_argument if neighbouring
+  /// planes differ by 180 degrees or more, because the way between them is then not determined.
   SquadRhythm(const RhythmTable& table, bool smooths);
 
-  /// Returns SC, AC and GH at a place within a cell of the table, equations (4) to (12).
+  /// Returns SC, AC and GH at a place in a cell of the table, equations (4) to (12).
   [[nodiscard]] JointRotations RotationsIn(const RhythmCell& cell) const noexcept;
 
  private:
@@ -51,13 +54,13 @@ class SquadRhythm {
     std::vector<double> least_;    ///< as in Arcs, one a row
   };
 
-  /// The joints of some planes, from the first on, at the cell's place along elevation.
+  /// Computes the joints of successive planes, from `first_plane` on, at the cell's elevation.
   void AlongElevation(const RhythmCell& cell, std::size_t first_plane,
                       std::span<SpherePoint> points) const noexcept;
 
   bool smooths_;
   std::size_t planes_;
-  /// A row an elevation: the joints of the first plane, of the next, ...
+  /// One row for each elevation: the joints of the first plane, then those of the next, ...
   Rows knots_;
   Rows controls_;  ///< squad's inner control points; empty with slerp
 };

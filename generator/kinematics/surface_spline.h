@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// Twice continuously differentiable surfaces through values on a grid of elevations and planes.
+/// Surfaces through values on a grid of elevations and planes, with continuous second derivatives.
 ///
-/// Tensor product of cubic splines with the not-a-knot end condition (C. de Boor, A Practical Guide
-/// to Splines, 2001, chapter IV): third derivatives are continuous over the second and the second
-/// last knot, so that nothing is assumed about the ends. Three knots are joined by the parabola
-/// through them. Knots may be uneven.
+/// A surface is the tensor product of cubic splines with the not-a-knot end condition (C. de Boor,
+/// A Practical Guide to Splines, 2001, chapter IV). Third derivatives are continuous at the second
+/// and the second last knot, so no assumption about the ends is needed. If a direction has three
+/// knots, the parabola through them is used. Knots may be uneven.
 #pragma once
 
 #include <algorithm>
@@ -20,24 +20,26 @@
 
 namespace girdle {
 
-/// The interpolating spline of one direction: its pieces, and how their polynomials follow from the
+/// The spline of one direction: its pieces, and the weights that give their polynomials from the
 /// values at the knots.
 class SplineAxis {
  public:
   static constexpr std::size_t kPowers = 4;          ///< of a cubic
-  static constexpr std::size_t kParabolaPowers = 3;  ///< where there are three knots
+  static constexpr std::size_t kParabolaPowers = 3;  ///< if there are three knots
 
-  /// `knots` increase strictly. Throws std::invalid_argument if there are fewer than three.
+  /// Precondition: `knots` increase strictly. Throws std::invalid_argument if there are fewer than
+  /// three.
   explicit SplineAxis(const std::vector<double>& knots);
 
   [[nodiscard]] std::size_t knots() const noexcept { return knots_; }
   [[nodiscard]] std::size_t pieces() const noexcept { return breaks_.size() - 1; }
-  /// Where piece i begins and the origin of its polynomial.
+  /// The start of piece i, which is also the origin of its polynomial.
   [[nodiscard]] double origin(std::size_t piece) const noexcept { return breaks_[piece]; }
-  /// Piece i with origin_i < x <= origin_i+1; the first and the last go on outside.
+  /// Returns the piece i with origin_i < x <= origin_i+1. Outside the knots it is the first or last
+  /// piece.
   [[nodiscard]] GIRDLE_INLINE std::size_t PieceAt(double x) const noexcept {
     const std::size_t last = pieces() - 1;
-    // Right where breaks are even, near elsewhere.
+    // Correct for even breaks, nearly correct for others.
     const double guess = (x - breaks_.front()) * pieces_per_unit_;
     std::size_t piece =
         guess > 0 ? static_cast<std::size_t>(std::min(guess, static_cast<double>(last))) : 0;
@@ -49,12 +51,12 @@ class SplineAxis {
     }
     return piece;
   }
-  /// Coefficient of (x - origin)^power is the sum over knots of weight times value.
+  /// The coefficient of (x - origin)^power is the sum over all knots of weight times value.
   [[nodiscard]] double weight(std::size_t piece, std::size_t power,
                               std::size_t knot) const noexcept {
     return weights_[(piece * kPowers + power) * knots_ + knot];
   }
-  /// Powers in use: 3 for a parabola, else 4.
+  /// Number of powers: 3 for a parabola, otherwise 4.
   [[nodiscard]] std::size_t powers() const noexcept { return powers_; }
 
  private:
@@ -65,10 +67,10 @@ class SplineAxis {
   std::vector<double> weights_;
 };
 
-/// The grid under several surfaces: where a point lies in it.
+/// The grid of elevations and planes that several surfaces share. It finds the place of a point.
 class SurfaceGrid {
  public:
-  /// Piece of each direction that holds a point, and the place within.
+  /// The cell that contains a point, and the place within it.
   struct Place {
     std::size_t cell;
     double s;  ///< elevation from the cell's origin [rad]
@@ -78,7 +80,8 @@ class SurfaceGrid {
   SurfaceGrid(SplineAxis elevations, SplineAxis planes)
       : elevations_(std::move(elevations)), planes_(std::move(planes)) {}
 
-  /// Outside the grid the nearest cell, whose polynomial goes on.
+  /// Returns the place of a point. Outside the grid it is in the nearest cell, whose polynomial
+  /// continues.
   [[nodiscard]] GIRDLE_INLINE Place PlaceOf(double elevation_rad, double plane_rad) const noexcept {
     const std::size_t i = elevations_.PieceAt(elevation_rad);
     const std::size_t j = planes_.PieceAt(plane_rad);
@@ -94,14 +97,15 @@ class SurfaceGrid {
   SplineAxis planes_;
 };
 
-/// K surfaces of leaf type L (double or Pair) over (elevation, plane) [rad]. Evaluation allocates
-/// nothing.
+/// K surfaces over (elevation, plane) [rad], each with values of the leaf type L (double, Pair or
+/// Four). Evaluation allocates nothing.
 template <typename L, std::size_t K>
 class SurfaceSpline {
  public:
   using Values = std::array<L, K>;
 
-  /// `value_at(elevation knot, plane knot)` gives the values to pass through.
+  /// `value_at(elevation knot, plane knot)` returns the values at a knot. The surfaces pass through
+  /// them.
   SurfaceSpline(const SurfaceGrid& grid,
                 const std::function<Values(std::size_t, std::size_t)>& value_at)
       : plane_powers_(grid.planes().powers()) {
@@ -123,7 +127,7 @@ class SurfaceSpline {
     }
   }
 
-  /// Values at a place of the grid.
+  /// Returns the values at a place of the grid.
   [[nodiscard]] GIRDLE_INLINE Values At(const SurfaceGrid::Place& place) const noexcept {
     const Row* cell = CellAt(place);
     Values sum = Along(cell[2], place.s);
@@ -134,7 +138,7 @@ class SurfaceSpline {
     return Added(Along(cell[0], place.s), place.t, sum);
   }
 
-  /// The same with derivatives by elevation and plane.
+  /// Returns the values with their derivatives by elevation and plane.
   template <int Order>
   [[nodiscard]] std::array<Jet<L, Order>, K> JetsAt(
       const SurfaceGrid::Place& place) const noexcept {
@@ -143,7 +147,7 @@ class SurfaceSpline {
                : JetSum<Order, SplineAxis::kPowers>(place);
   }
 
-  /// Derivative of order I by elevation and J by plane.
+  /// Returns the derivative of order I by elevation and J by plane.
   template <std::size_t I, std::size_t J>
   [[nodiscard]] GIRDLE_INLINE Values Partial(const SurfaceGrid::Place& place) const noexcept {
     if constexpr (I >= SplineAxis::kPowers || J >= SplineAxis::kPowers) {
@@ -158,10 +162,11 @@ class SurfaceSpline {
   }
 
  private:
-  /// Coefficients of one power of plane, by power of elevation.
+  /// Coefficients of one power of plane, ordered by power of elevation.
   using Row = std::array<Values, SplineAxis::kPowers>;
 
-  /// Of the powers k and l in the piece (i, j); `values` stand elevation by elevation.
+  /// Returns the coefficient of the powers k and l in piece (i, j). `values` are ordered elevation
+  /// by elevation.
   [[nodiscard]] static Values Coefficient(const SurfaceGrid& grid, std::size_t i, std::size_t k,
                                           std::size_t j, std::size_t l,
                                           const std::vector<Values>& values) {
@@ -183,7 +188,7 @@ class SurfaceSpline {
     return rows_.data() + place.cell * plane_powers_;
   }
 
-  /// The cubic of one power of plane.
+  /// The cubic in elevation that belongs to one power of plane.
   [[nodiscard]] GIRDLE_INLINE static Values Along(const Row& row, double s) noexcept {
     Values value;
     for (std::size_t c = 0; c < K; ++c) {
@@ -216,7 +221,7 @@ class SurfaceSpline {
         const L value = row[0][c] + s * (row[1][c] + s * (row[2][c] + s * row[3][c]));
         const L slope = row[1][c] + s * (2.0 * row[2][c] + (3.0 * s) * row[3][c]);
         if constexpr (Order == 2) {
-          // Each uses what the others were before this power.
+          // Each line uses the values of the parts before this power.
           part[kByPlaneTwice] = 2.0 * part[kByPlane] + t * part[kByPlaneTwice];
           part[kByElevationAndPlane] = part[kByElevation] + t * part[kByElevationAndPlane];
           part[kByElevationTwice] =
@@ -230,7 +235,7 @@ class SurfaceSpline {
     return jets;
   }
 
-  /// Sum over powers k of s and l of t, by Horner's rule in both.
+  /// Sum over the powers k of s and l of t, by Horner's rule in both.
   template <std::size_t I, std::size_t J, std::size_t PlanePowers>
   [[nodiscard]] GIRDLE_INLINE Values PartialSum(const SurfaceGrid::Place& place) const noexcept {
     const Row* cell = CellAt(place);
@@ -258,17 +263,17 @@ class SurfaceSpline {
   }
 
   std::size_t plane_powers_;
-  std::vector<Row> rows_;  ///< cell by cell, each with its powers of plane
+  std::vector<Row> rows_;  ///< cell by cell; each cell has its powers of plane
 };
 
-/// The derivative of order (I, J) of the surfaces at a point, one of whose coordinates may carry
-/// derivatives itself.
+/// Returns the derivative of order I by elevation and J by plane of the surfaces at a point. One
+/// coordinate of the point may carry derivatives itself.
 template <std::size_t I, std::size_t J, typename L, std::size_t K>
 [[nodiscard]] std::array<L, K> Evaluate(const SurfaceSpline<L, K>& surface, const SurfaceGrid& grid,
                                         double elevation_rad, double plane_rad) noexcept {
   return surface.template Partial<I, J>(grid.PlaceOf(elevation_rad, plane_rad));
 }
-/// From f and its first and second derivative by a coordinate x.
+/// Composes f with a coordinate x, from f and its first and second derivative by x.
 template <typename L, std::size_t K, int Order>
 [[nodiscard]] std::array<Jet<L, Order>, K> ComposedValues(const Jet<double, Order>& x,
                                                           const std::array<L, K>& f,

@@ -3,8 +3,8 @@
 
 /// Words for the values of enumerations, in both directions.
 ///
-/// An enumeration has words if a function WordsOf stands beside it, which returns an array of them
-/// in the order of the enumerators. Its argument only chooses the function:
+/// An enumeration has words if a function WordsOf is declared beside it. WordsOf returns an array
+/// of words in the order of the enumerators. Its argument only selects the overload:
 ///
 ///     enum class Side { kRight, kLeft };
 ///     inline constexpr std::array<std::string_view, 2> kSideNames = {"right", "left"};
@@ -24,14 +24,14 @@ concept HasWords = requires(Enumeration value) {
   WordsOf(value).size();
 };
 
-/// Returns the word for a value, which is one of the enumerators.
+/// Returns the word of a value. Precondition: the value is one of the enumerators.
 template <HasWords Enumeration>
 [[nodiscard]] constexpr std::string_view Name(Enumeration value) noexcept {
   return WordsOf(value)[static_cast<std::size_t>(value)];
 }
 
-/// Returns the value that a word stands for; nothing if it is no word of the enumeration. Capital
-/// and small letters differ.
+/// Returns the value of a word, or nothing if the enumeration does not have that word. Upper and
+/// lower case differ.
 template <HasWords Enumeration>
 [[nodiscard]] constexpr std::optional<Enumeration> FromName(std::string_view word) noexcept {
   const auto& words = WordsOf(Enumeration{});

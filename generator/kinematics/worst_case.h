@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// The worst of many values, with the place where it is, and their root mean square.
+/// The worst of many values, the place where it occurs, and the root mean square of all values.
 ///
-/// One rule for NaN holds everywhere: NaN is worse than every number. A check whose worst case is
-/// NaN fails, whenever the NaN comes. If no value was added, the worst case is NaN too: a check of
-/// nothing fails. Of two values that are equally bad, the first counts.
+/// One rule for NaN holds everywhere: NaN is worse than every number. A check fails if one of its
+/// values is NaN, in whatever order the values come. If no value was added, the worst value is NaN
+/// too: a check of nothing fails. If two values are equally bad, the first counts.
 #pragma once
 
 #include <cmath>
@@ -15,27 +15,27 @@
 
 namespace girdle {
 
-/// Returns whether `value` is worse than `worst` where larger magnitudes are worse.
+/// Returns whether `value` is worse than `worst`. Larger magnitudes are worse.
 [[nodiscard]] inline bool IsWorse(double value, double worst) noexcept {
   return std::abs(value) > std::abs(worst) || (std::isnan(value) && !std::isnan(worst));
 }
 
-/// Returns the worse of two values, with its sign.
+/// Returns the worse of two values. The value keeps its sign.
 [[nodiscard]] inline double WorseOf(double worst, double value) noexcept {
   return IsWorse(value, worst) ? value : worst;
 }
 
-/// What makes a value worse than another.
+/// The rule that makes one value worse than another.
 enum class Worse {
   kLargerMagnitude,
-  kSmaller,  ///< with its sign: of lengths or depths that must not be too small
+  kSmaller,  ///< compares with the sign: for lengths or depths that must not be too small
 };
 
-/// Values that are added one by one. `Place` says where a value is: a command, a row of a table.
+/// Collects values one by one. `Place` describes where a value occurs: a command, a row of a table.
 template <typename Place, Worse Rule = Worse::kLargerMagnitude>
 class WorstCase {
  public:
-  /// Adds a value. The place is made from `place` only if the value is the worst so far.
+  /// Adds a value. A Place is constructed from `place` only if the value is the worst so far.
   template <typename... From>
   void Add(double value, From&&... place) {
     square_sum_ += value * value;
@@ -48,14 +48,14 @@ class WorstCase {
 
   [[nodiscard]] bool empty() const noexcept { return count_ == 0; }
   [[nodiscard]] std::size_t count() const noexcept { return count_; }
-  /// The worst value, with its sign.
+  /// The worst value. It keeps its sign.
   [[nodiscard]] double value() const noexcept { return worst_; }
   [[nodiscard]] double magnitude() const noexcept { return std::abs(worst_); }
-  /// Root mean square of all values. NaN if there is none.
+  /// Root mean square of all values. NaN if no value was added.
   [[nodiscard]] double rms() const noexcept {
     return std::sqrt(square_sum_ / static_cast<double>(count_));
   }
-  /// Where the worst value is. Where there is none: a place as it is made from nothing.
+  /// The place of the worst value. If no value was added: a default-constructed Place.
   [[nodiscard]] const Place& place() const noexcept { return place_; }
 
  private:

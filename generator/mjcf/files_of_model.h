@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// The files that a model on disk is made of.
+/// The files that make up a model on disk.
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@
 
 namespace girdle {
 
-/// Returns the files that are there of those that an MJCF model names, and that models which it
-/// includes or attaches name: further models, meshes, skins, height fields and textures. A name
-/// counts in every folder where MuJoCo may look: that of the model, that of the file that has the
-/// name, and the compiler's `meshdir`, `texturedir` and `assetdir` in either. A file that is no XML
-/// names none.
+/// Returns the existing files that an MJCF model names: further models, meshes, skins, height
+/// fields and textures. Files that included or attached models name are returned too. A name is
+/// looked for in every folder where MuJoCo may look: the folder of the model, the folder of the
+/// file that contains the name, and the compiler's `meshdir`, `texturedir` and `assetdir` in both.
+/// A file that is not XML names no files.
 [[nodiscard]] std::vector<std::string> FilesOfModel(const std::string& model);
 
 }  // namespace girdle

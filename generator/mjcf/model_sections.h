@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// The sections of an emitted model, in the order in which it has them.
+/// The sections of an emitted model, in their order in the model.
 ///
-/// Each function appends its section to the root element, or nothing where the model needs none,
-/// and stands in a file of its own name.
+/// Each function appends its section to the root element, or nothing if the model does not need it.
+/// The comments name the file of each function.
 #pragma once
 
 #include "mjcf/model_plan.h"
@@ -14,7 +14,8 @@ namespace girdle {
 
 // plugin_section.cc
 void WriteExtension(const ModelPlan& plan, XmlElement root);  ///< the plugin's instances
-void WriteSensors(const ModelPlan& plan, XmlElement root);    ///< one of the plugin a side
+void WriteSensors(const ModelPlan& plan,
+                  XmlElement root);  ///< one sensor of the plugin for each side
 
 // asset_section.cc
 void WriteDefaults(const ModelPlan& plan, XmlElement root);

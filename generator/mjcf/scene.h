@@ -11,9 +11,9 @@
 
 namespace girdle {
 
-/// Returns a scene as XML: floor, lights and the cameras front, back, above and oblique around the
-/// model in `model_file`, which it includes and which has these sides. The cameras see the whole
-/// shoulder of a person with `anatomy`, and in a model with a skin its hands.
+/// Returns a scene as XML. It has floor, lights and the cameras front, back, above and oblique, and
+/// it includes the model in `model_file`. `sides` are the model's sides. The cameras see the whole
+/// shoulder of a person with `anatomy`, and also the hands if the model has a skin.
 [[nodiscard]] std::string SceneXml(const std::string& model_file, const Anatomy& anatomy,
                                    Sides sides = Sides::kRight, bool has_skin = false);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// Writing XML: elements with attributes of the types that MJCF has.
+/// Writes XML elements with attributes of MJCF's types.
 #pragma once
 
 #include <tinyxml2.h>
@@ -14,8 +14,8 @@
 
 namespace girdle {
 
-/// An element of a tinyxml2 document, which owns it. Numbers are written as their shortest exact
-/// decimals.
+/// An element of a tinyxml2 document, which owns it. Numbers are written as the shortest decimals
+/// that read back exactly.
 class XmlElement {
  public:
   explicit XmlElement(tinyxml2::XMLElement* element) : element_(element) {}
@@ -28,7 +28,7 @@ class XmlElement {
   XmlElement& Set(const char* attribute, std::string_view text);
   XmlElement& Set(const char* attribute, double number);
   XmlElement& Set(const char* attribute, const Vector3& vector);
-  /// MuJoCo's order: w x y z.
+  /// Writes w x y z, MuJoCo's order.
   XmlElement& Set(const char* attribute, const Quaternion& quaternion);
   XmlElement& Set(const char* attribute, std::span<const double> numbers);
 

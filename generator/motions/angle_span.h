@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// Which angles a file has, to tell radians from degrees.
+/// The spans of the angles in a file, which tell radians from degrees.
 #pragma once
 
 #include <cstddef>
@@ -10,23 +10,26 @@
 
 namespace girdle {
 
-/// The numbers of a file's elevations and planes, as they stand there.
+/// Collects the elevations and planes of a file, as numbers without unit.
 ///
-/// Radians look like degrees of an arm that hardly moves. A file looks like radians if it has ten
-/// rows or more, its elevations or its planes span more than 0.5, no elevation leaves -3.2 to 3.2,
-/// and no plane -6.4 to 6.4: an elevation is half a turn at most, while people count planes from 0
-/// to a whole turn, too. Both bounds are somewhat wider.
+/// Radians look like degrees of an arm that hardly moves. A file looks like radians if it has at
+/// least ten rows, if its elevations or its planes span more than 0.5, if all elevations are within
+/// -3.2 to 3.2, and if all planes are within -6.4 to 6.4. An elevation is at most half a turn. A
+/// plane may be a whole turn, because some people count it from 0 to 360 degrees. Both bounds are
+/// slightly wider than that.
 class AngleSpan {
  public:
   void Add(double elevation, double plane) noexcept;
   /// Adds the rows of another part of the file.
   void Add(const AngleSpan& other) noexcept;
 
-  /// Whether rows that come may still make it look like radians.
+  /// Returns whether all rows so far are within the bounds of radians, so that further rows may
+  /// still make the file look like radians.
   [[nodiscard]] bool IsWithinRadians() const noexcept;
   [[nodiscard]] bool LooksLikeRadians() const noexcept;
 
-  /// Throws InputError, with the options that say which unit it is, if it looks like radians.
+  /// Throws InputError if the file looks like radians. The message names the options that give the
+  /// unit.
   void ExpectKnownUnit(const std::string& file) const;
 
  private:

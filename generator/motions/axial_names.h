@@ -1,18 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// What people call the axial turn of the humerus.
+/// Column names that mean the axial turn of the humerus.
 #pragma once
 
 #include <string_view>
 
 namespace girdle {
 
-/// Returns whether the name of a column plainly means the humerus's turn about its long axis:
-/// `axial_rotation_deg`, `axial_isb_deg`, `humeral_rotation`, `InternalRotation (deg)`. It is so if
-/// the name is made of words for that alone, with a unit behind or none; capital letters,
-/// characters between words and a slip in a longer word (`rotaton`) do not matter. A name
-/// that says whose turn it is otherwise is not: `gh_axial_deg`, `ac_internal_rotation_deg`,
+/// Returns whether a column's name plainly means the humerus's turn about its long axis. Examples
+/// are `axial_rotation_deg`, `axial_isb_deg`, `humeral_rotation` and `InternalRotation (deg)`. The
+/// name must consist of words for that turn only, with or without a unit at the end. Capital
+/// letters, characters between words and a slip in a longer word (`rotaton`) do not matter. A name
+/// for the turn of something else does not count: `gh_axial_deg`, `ac_internal_rotation_deg`,
 /// `used_axial_deg`, `trunk_rotation_deg`.
 [[nodiscard]] bool MeansAxialTurn(std::string_view column);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// Commands of the arm in the columns of a CSV file.
+/// Arm commands in the columns of a CSV file.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@
 
 namespace girdle {
 
-/// Names of the columns. They end in `_deg` in files with radians, too.
+/// Names of the columns. They end in `_deg` even if the file contains radians.
 inline constexpr const char* kElevationColumn = "elevation_deg";
 inline constexpr const char* kPlaneColumn = "plane_deg";
 inline constexpr const char* kAxialColumn = "axial_deg";
@@ -23,24 +23,25 @@ inline constexpr const char* kShrugColumn = "shrug_deg";
 inline constexpr const char* kProtractionColumn = "protraction_deg";
 
 /// The columns of one file that make its commands: `elevation_deg` and `plane_deg`, optionally
-/// `axial_deg`, `shrug_deg` and `protraction_deg`, in any order. Others are nobody's business,
-/// unless they are nearly one of these or, in a file without `axial_deg`, mean the axial turn.
-/// Immutable: threads share it.
+/// `axial_deg`, `shrug_deg` and `protraction_deg`, in any order. Other columns are ignored. Two
+/// kinds of other columns are errors: one with nearly one of these names, and one that means the
+/// axial turn in a file without `axial_deg`. Immutable: threads may share it.
 class CommandColumns {
  public:
-  /// Throws InputError at the header if a column is missing, or is nearly called as one of these or
-  /// of `further` (IsNearly) or as the axial turn (MeansAxialTurn), with the name that is meant.
+  /// Throws InputError at the header if a column is missing. Throws it also if a name is nearly one
+  /// of these or of `further` (IsNearly), or means the axial turn (MeansAxialTurn). The message
+  /// contains the correct name.
   CommandColumns(const CsvReader& csv, const AngleReading& reading,
                  const std::vector<std::string_view>& further = {});
 
-  /// Returns the command of a row; `otherwise` says what stands in place of columns that the file
-  /// has not. Adds its numbers to `span` unless the unit is said. Throws InputError at the row,
-  /// with column and value, for what is not an angle of arm_angles.h or beyond kShrugRange and
-  /// kProtractionRange.
+  /// Returns the command of a row. `otherwise` gives the values of columns that the file does not
+  /// have. Adds the numbers of the row to `span` unless the unit is given. Throws InputError at the
+  /// row, with column and value, for an angle that arm_angles.h rejects and for an offset beyond
+  /// kShrugRange or kProtractionRange.
   [[nodiscard]] ArmCommand Read(const CsvRows& row, const ArmCommand& otherwise,
                                 AngleSpan& span) const;
 
-  /// What the file's axial turns count from; nothing if it has none.
+  /// The zero of the file's axial turns; nothing if the file has none.
   [[nodiscard]] std::optional<AxialFrom> axial_from() const noexcept;
 
  private:

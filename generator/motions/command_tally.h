@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// How many commands were answered as they are, and why others were not.
+/// How many commands were answered unchanged, and why the others were not.
 #pragma once
 
 #include <cstddef>
@@ -16,26 +16,26 @@ namespace girdle {
 struct CommandTally {
   std::size_t rows = 0;
   std::size_t clamped = 0;  ///< answered by another command
-  std::size_t beyond = 0;   ///< of them, those whose direction is another one
+  std::size_t beyond = 0;   ///< of the clamped ones, those answered in another direction
   std::size_t modelled = 0;
-  double farthest_rad = 0;  ///< of all commands, from measured directions
+  double farthest_rad = 0;  ///< largest distance of a command from measured directions
 
-  /// Adds a command and what ShoulderSolution says of its answer.
+  /// Adds a command and the values that ShoulderSolution has for its answer.
   void Add(const ShoulderRhythm& rhythm, const ArmCommand& command, const ArmCommand& used,
            Origin origin, double distance_rad) noexcept;
   void Add(const CommandTally& other) noexcept;
 };
 
-/// What a tally is of.
+/// The subject of a tally.
 struct TallySubject {
-  Range range = Range::kWhole;       ///< of the rhythm that answered
-  std::string_view counted = "row";  ///< what was answered, one of it
+  Range range = Range::kWhole;       ///< of the rhythm that answered the commands
+  std::string_view counted = "row";  ///< singular word for what was answered
   bool has_used_columns = true;      ///< whether the columns used_* were written
-  /// What axial turns counted from that were read, if any were.
+  /// The zero of the axial turns that were read; nothing if none were read.
   std::optional<AxialFrom> axial_from = std::nullopt;
 };
 
-/// Returns a line without its end:
+/// Returns one line without its line break:
 ///
 ///     6 rows, 1 clamped (1 beyond what an arm reaches; see the columns used_*), 2 modelled (up
 ///     to 37.2 deg from measured directions), axial from isb

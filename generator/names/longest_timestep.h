@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// The longest time steps with which a shoulder moves as it should, and what is said of longer
+/// The longest time steps at which a shoulder still moves correctly, and the message for longer
 /// ones.
 #pragma once
 
@@ -15,16 +15,16 @@ namespace girdle {
 
 /// How MuJoCo integrates the joints' damping.
 enum class DampingScheme {
-  kImplicit,       ///< `implicit`, `implicitfast`, and `Euler` as it is by default
+  kImplicit,       ///< `implicit`, `implicitfast`, and `Euler` with its default flags
   kRungeKutta,     ///< `RK4`
   kExplicitEuler,  ///< `Euler` with <flag eulerdamp="disable"/>
 };
 
-/// Returns the longest step [s], a whole number of milliseconds and at most 10, with which an arm
-/// that goes once a second from hanging to elevation 150 and back, or swings past hanging, keeps a
-/// loop's joint closed within 1 mm, or a tree's largest joint error within a twentieth of that at 1
-/// ms, and comes to rest after a command that jumps. Measured with the models that girdle generate
-/// emits (scripts/longest_steps), whichever bone leads.
+/// Returns the longest step [s]: a whole number of milliseconds, at most 10. The arm goes once a
+/// second from hanging to elevation 150 and back, or swings past hanging. At this step a loop keeps
+/// its joint closed within 1 mm, and a tree's largest joint error is within a twentieth of that at
+/// 1 ms. After a command that jumps, the arm comes to rest. Measured with the models that girdle
+/// generate emits (scripts/longest_steps), for either leading bone.
 [[nodiscard]] constexpr double LongestTimestep_s(Assembly assembly, DampingScheme scheme) noexcept {
   const bool is_tree = assembly == Assembly::kTree;
   switch (scheme) {
@@ -38,7 +38,7 @@ enum class DampingScheme {
   return 0.001;
 }
 
-/// Returns what is wrong with a step and the line to write, or nothing.
+/// Returns the fault of a time step with the line to write, or an empty text if there is none.
 [[nodiscard]] inline std::string TimestepFault(double timestep_s, Assembly assembly,
                                                DampingScheme scheme) {
   constexpr double kRounding = 1e-9;

@@ -1,22 +1,24 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// What leaves the AC joint of a loop open. Plugin and program say the same of it.
+/// The reasons why the AC joint of a loop is open. The plugin and the program use the text of this
+/// header.
 #pragma once
 
 #include <string>
 
 namespace girdle {
 
-/// What a compiled model says of what closes a loop.
+/// Facts of a compiled model about the closing of its loop.
 struct LoopClosing {
   bool constraints_are_disabled = false;
   bool equalities_are_disabled = false;
-  bool has_connect = false;      ///< of a site of the clavicle and one of the scapula
-  bool starts_inactive = false;  ///< all of them do
+  bool has_connect = false;      ///< between a site of the clavicle and a site of the scapula
+  bool starts_inactive = false;  ///< true if every such connect starts inactive
 };
 
-/// Returns what leaves the joint open and the line to write, or nothing.
+/// Returns the reason why the joint is open with the line to write, or an empty text if it is
+/// closed.
 [[nodiscard]] inline std::string OpenLoopFault(const LoopClosing& closing) {
   const auto fault = [](const std::string& reason, const std::string& line) {
     return "nothing holds the AC joint of the loop, because " + reason + ": write " + line;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// What makes the joints of a compiled model unfit for its servos. Plugin and program say the same
-/// of it.
+/// The reasons why the joints of a compiled model are unfit for its servos. The plugin and the
+/// program use the texts of this header.
 #pragma once
 
 #include <string>
@@ -11,9 +11,9 @@
 
 namespace girdle {
 
-/// Returns what is wrong with joints whose widest range is this [rad], and the line to write, or
-/// nothing. The emitted models' widest range, of gh_axial, is 240 degrees = 4.2 rad. 4.2 degrees
-/// are 0.07 rad, and no arm that moves has a widest range of less than 11 degrees.
+/// Returns the fault of joints whose widest range is `widest_rad` with the line to write, or an
+/// empty text. The widest range of the emitted models, gh_axial, is 240 degrees = 4.2 rad. Read as
+/// degrees, it becomes 0.07 rad. No arm that moves has a widest range below 11 degrees.
 [[nodiscard]] inline std::string RangesFault(double widest_rad) {
   constexpr double kNoRangeOfAShoulder_rad = 0.2;
   return widest_rad < kNoRangeOfAShoulder_rad
@@ -24,7 +24,7 @@ namespace girdle {
              : "";
 }
 
-/// Of a model in which `option/flag` disables it.
+/// Fault of a model that disables the damper in `option/flag`.
 inline constexpr const char* kDisabledDamperFault =
     "the joints' damping, which the servos need, is disabled: write <flag damper=\"enable\"/> in "
     "<option> (before MuJoCo 3.3.6 passive=\"enable\")";

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// The elements of a model that make one shoulder's rhythm, as a step reads and writes them: places
-/// in the engine's arrays. They are found once (rhythm_binding.h); nothing here can fail.
+/// The elements of a model that make one shoulder's rhythm, as indices into the engine's arrays. A
+/// step reads and writes them. They are found once (rhythm_binding.h), and no function here can
+/// fail.
 #pragma once
 
 #include <algorithm>
@@ -11,25 +12,27 @@
 
 namespace girdle {
 
-/// Control of an actuator [rad, rad/s; of a slide m]; one that the model lacks is 0.
+/// The control of an actuator [rad or rad/s; m for a slide]. If the model lacks the actuator, the
+/// control is 0.
 struct BoundControl {
   int address = -1;
 
   [[nodiscard]] bool exists() const noexcept { return address >= 0; }
-  /// As the user set it.
+  /// The control as the user set it.
   [[nodiscard]] double Raw(const DataView& data) const noexcept {
     return exists() ? data.ctrl[address] : 0;
   }
-  /// Within its range, where the model gives one and MuJoCo is to heed it.
+  /// The control limited to its range. It is not limited if the model gives no range or if MuJoCo
+  /// ignores ranges.
   [[nodiscard]] double Read(const ModelView& model, const DataView& data) const noexcept;
-  /// The same of an angle, of which whole turns do not matter: where it is out of its range they
-  /// are taken off, so that of -180 to 180 deg 350 is -10.
+  /// The control of an angle, limited to its range. Whole turns do not matter: if the angle is out
+  /// of its range, whole turns are removed first. In a range of -180 to 180 deg, 350 becomes -10.
   [[nodiscard]] double ReadAngle(const ModelView& model, const DataView& data) const noexcept;
-  /// Within its range, and 0 for what is not a finite number.
+  /// The control limited to its range, or 0 if it is not finite.
   [[nodiscard]] double ReadFinite(const ModelView& model, const DataView& data) const noexcept;
 
  private:
-  /// Lower and upper end; null where nothing is to be heeded.
+  /// Lower and upper limit, or null if the control is not limited.
   [[nodiscard]] const mjtNum* RangeIn(const ModelView& model) const noexcept;
 };
 
@@ -40,17 +43,17 @@ struct BoundServo {
   int force_address = 0;
   BoundControl trim;
   double stiffness = 0;  ///< [N m/rad], of a slide [N/m]
-  int group = 0;         ///< MuJoCo leaves it to a plugin to heed option/actuatorgroupdisable
+  int group = 0;         ///< MuJoCo leaves option/actuatorgroupdisable to the plugin
 
   [[nodiscard]] bool IsDisabled(const ModelView& model) const noexcept;
 };
 
-/// A sensor that shows what sensor_layout says.
+/// A sensor with the values of sensor_layout.
 struct BoundSensor {
   int address = 0;    ///< of its first value
-  double cutoff = 0;  ///< largest magnitude of a value; 0: any
+  double cutoff = 0;  ///< largest magnitude of a value; 0: no limit
 
-  /// As MuJoCo cuts what the sensor's own stage has written.
+  /// Limits a value to the cutoff, as MuJoCo does after the sensor's own stage.
   [[nodiscard]] double Cut(double value) const noexcept {
     return cutoff > 0 ? std::clamp(value, -cutoff, cutoff) : value;
   }

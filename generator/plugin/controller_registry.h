@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// The controllers of a process, each of one plugin instance in one mjData.
+/// The controllers of a process. Each belongs to one plugin instance in one mjData.
 ///
-/// MuJoCo keeps an integer for each instance in mjData. Python's pickle copies it with all other
-/// bytes, into another mjData or another process, where a pointer would be wild. So it is a
-/// ticket: it leads to a controller only in the process that gave it out, and only from the mjData
-/// that the controller is for.
+/// MuJoCo stores one integer for each instance in mjData. Python's pickle copies this integer with
+/// all other bytes into another mjData or another process, where a pointer would be invalid. The
+/// integer is therefore a ticket. A ticket leads to a controller only in the process that issued
+/// it, and only from the mjData that the controller belongs to.
 ///
-/// Find takes no lock, since every step of every thread calls it. Add and Remove take one.
+/// Every step of every thread calls Find, so Find takes no lock. Add and Remove take one.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -33,13 +33,13 @@ class ControllerRegistry {
   ControllerRegistry& operator=(const ControllerRegistry&) = delete;
   ~ControllerRegistry();
 
-  /// Takes a controller in and returns its ticket, never 0. If this mjData and instance have a
-  /// controller already, that is deleted. Throws std::bad_alloc.
+  /// Stores a controller and returns its ticket, which is never 0. If this mjData and instance
+  /// already have a controller, that one is deleted. Throws std::bad_alloc.
   std::uintptr_t Add(std::unique_ptr<RhythmController> controller, const mjData* data,
                      int instance);
 
   /// Returns the controller of this mjData and instance, or null if `ticket` does not lead to it.
-  /// It is valid until Add or Remove is called for the same two.
+  /// The pointer is valid until Add or Remove is called for the same mjData and instance.
   [[nodiscard]] RhythmController* Find(std::uintptr_t ticket, const mjData* data,
                                        int instance) const noexcept;
 
@@ -50,7 +50,7 @@ class ControllerRegistry {
   void Remove(const mjData* data, int instance) noexcept;
 
  private:
-  // What a ticket leads to. Places are used again, tickets are not.
+  // The entry that a ticket leads to. Places are reused, tickets are not.
   struct Place {
     std::atomic<std::uintptr_t> ticket{0};  ///< 0: free
     std::atomic<const mjData*> data{nullptr};
@@ -60,9 +60,9 @@ class ControllerRegistry {
     std::size_t number = 0;
   };
 
-  // A ticket's low bits number its place, from 1 on.
+  // The low bits of a ticket are the number of its place, from 1 on.
   static constexpr int kPlaceBits = 24;
-  // Block k has kFirstBlock << k places, and never moves.
+  // Block k has kFirstBlock << k places and never moves.
   static constexpr std::size_t kFirstBlock = 64;
   static constexpr std::size_t kBlockCount = 18;
   static constexpr std::size_t kMostPlaces = (kFirstBlock << kBlockCount) - kFirstBlock;
@@ -80,10 +80,10 @@ class ControllerRegistry {
 
   std::array<std::atomic<Place*>, kBlockCount> blocks_{};
 
-  std::mutex mutex_;  ///< guards the members below, and every change
+  std::mutex mutex_;  ///< guards the members below and every change
   std::map<std::pair<const mjData*, int>, std::uintptr_t> tickets_;
   Place* first_free_ = nullptr;
-  std::size_t place_count_ = 0;  ///< of those that were ever used
+  std::size_t place_count_ = 0;  ///< number of places that were ever used
   std::uintptr_t next_;          ///< the high bits of the next ticket
 };
 

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// The functions of MuJoCo that the plugin calls, taken from the engine that the process already
-/// runs.
+/// The functions of MuJoCo that the plugin calls. They belong to the engine that the process
+/// already runs.
 ///
-/// The plugin does not link MuJoCo. Linked, it would load a second engine into a process that runs
-/// another version or has MuJoCo built in, register itself there and stay unknown where it is
-/// wanted.
+/// The plugin does not link MuJoCo. A linked plugin would load a second engine into a process that
+/// runs another version or has MuJoCo built in. It would register itself there and be unknown to
+/// the first engine.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -31,8 +31,8 @@ struct EngineFunctions {
   }
 };
 
-/// Returns the engine of this process: of several loaded ones one whose layout is known, else any;
-/// incomplete if there is none.
+/// Returns the engine of this process. If several are loaded, it prefers one whose layout is known.
+/// If there is none, the result is incomplete.
 [[nodiscard]] EngineFunctions FindEngine() noexcept;
 
 }  // namespace girdle

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// Where MuJoCo's structs have the members that the plugin touches, for each version of MuJoCo.
+/// Offsets of the members of MuJoCo's structs that the plugin uses, for each version of MuJoCo.
 ///
-/// One binary serves all of them, although members move at nearly every release: element types and
-/// meanings stay, and a table has the offsets. scripts/engine_layouts makes it from the headers of
+/// One binary serves all versions, although members move at nearly every release. Element types and
+/// meanings do not change, and a table contains the offsets. scripts/engine_layouts makes the table
+/// from the headers of each version.
 /// each version.
 #pragma once
 
@@ -13,11 +14,11 @@
 
 namespace girdle {
 
-/// The structs of one version. Offsets are in bytes from the struct's begin.
+/// The structs of one version. Offsets are in bytes from the beginning of the struct.
 struct EngineLayout {
-  int version;            ///< as mj_version gives it: 330 for 3.3.0, 3010000 for 3.10.0
+  int version;            ///< number of mj_version: 330 for 3.3.0, 3010000 for 3.10.0
   int count_size;         ///< of a count in mjModel [bytes], 4 or 8
-  struct Buffer {         ///< where all arrays of a struct lie
+  struct Buffer {         ///< the memory of all arrays of a struct
     std::uint32_t begin;  ///< offset of the pointer to it
     std::uint32_t size;   ///< offset of its size in bytes, which has 64 bits
   };
@@ -35,19 +36,19 @@ struct EngineLayout {
 #include "plugin/engine_members.inc"
 };
 
-/// Stands for the offset of a member that a version does not have. Before 3.11 there are no
-/// actuator_ctrladr and actuator_outadr: actuator, control and force then have one number. Earlier
-/// ones have no jnt_stiffnesspoly and dof_dampingpoly: spring and damper are then linear.
+/// The offset of a member that a version does not have. Versions before 3.11 do not have
+/// actuator_ctrladr and actuator_outadr: there actuator, control and force have the same index.
+/// Still earlier ones do not have jnt_stiffnesspoly and dof_dampingpoly: there springs and dampers
+/// are linear.
 inline constexpr std::uint32_t kNoMember = 0xffffffff;
 
-/// Returns the layout of the version that mj_version gives as `version`, or null if it is not
-/// known.
+/// Returns the layout of a version, given as the number of mj_version, or null if it is unknown.
 [[nodiscard]] const EngineLayout* FindEngineLayout(int version) noexcept;
 
-/// Returns the versions that are known, for a message: "3.2.7 to 4.0.1".
+/// Returns the known versions for a message: "3.2.7 to 4.0.1".
 [[nodiscard]] std::string KnownEngineVersions();
 
-/// Returns "4.0.1" for a number of mj_version.
+/// Returns the text of a number of mj_version, for example "4.0.1".
 [[nodiscard]] std::string EngineVersionText(int version);
 
 }  // namespace girdle

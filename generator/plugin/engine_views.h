@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// mjModel and mjData of whatever version the process runs, with the names of their members.
+/// Views of mjModel and mjData in any known version of MuJoCo, with the names of their members.
 ///
-/// A view is made anew at every call of the engine, because the caller may pass another copy of the
-/// model each time. It is valid as long as the struct that it was made from.
+/// A view is made at every call of the engine, because the caller may pass another copy of the
+/// model each time. It is valid as long as the struct behind it.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -17,7 +17,7 @@
 
 namespace girdle {
 
-/// Returns the value of type T that lies `offset` bytes into `base`.
+/// Returns the value of type T at `offset` bytes from `base`.
 template <typename T>
 [[nodiscard]] T ReadMember(const void* base, std::size_t offset) noexcept {
   T value;
@@ -25,20 +25,20 @@ template <typename T>
   return value;
 }
 
-/// Returns the pointer to elements of type T that lies `offset` bytes into `base`.
+/// Returns the pointer to elements of type T that is stored at `offset` bytes from `base`.
 template <typename T>
 [[nodiscard]] T* ReadPointer(const void* base, std::size_t offset) noexcept {
   return ReadMember<T*>(base, offset);
 }
 
-/// Returns the count that lies `offset` bytes into an mjModel.
+/// Returns the count that is stored at `offset` bytes from the beginning of an mjModel.
 [[nodiscard]] inline std::int64_t ReadCount(const mjModel& model, const EngineLayout& engine,
                                             std::size_t offset) noexcept {
   return engine.count_size == sizeof(std::int32_t) ? ReadMember<std::int32_t>(&model, offset)
                                                    : ReadMember<std::int64_t>(&model, offset);
 }
 
-/// mjModel, to read. Members are those of MuJoCo 4.
+/// View of mjModel, read only. Members are those of MuJoCo 4.
 struct ModelView {
   const EngineLayout* engine;
 #define GIRDLE_MODEL_COUNT(member) std::int64_t member;
@@ -46,18 +46,19 @@ struct ModelView {
 #define GIRDLE_MODEL_ARRAY(type, member) const type* member;
 #include "plugin/engine_members.inc"
 
-  /// Number of an actuator's first control, and of its first force.
+  /// Index of an actuator's first control, and of its first force.
   [[nodiscard]] int ControlOf(int actuator) const noexcept {
     return actuator_ctrladr == nullptr ? actuator : actuator_ctrladr[actuator];
   }
   [[nodiscard]] int OutputOf(int actuator) const noexcept {
     return actuator_outadr == nullptr ? actuator : actuator_outadr[actuator];
   }
-  /// Whether option/flag disables what `flag`, a constant of the layout, stands for.
+  /// Returns whether option/flag disables the feature of `flag`, which is a constant of the layout.
   [[nodiscard]] bool Disables(int flag) const noexcept { return (disableflags & flag) != 0; }
 };
 
-/// What init alone looks at besides, so that no step reads it. Members are those of MuJoCo 4.
+/// View of the further members that only init needs, so no step reads them. Members are those of
+/// MuJoCo 4.
 struct CompiledView {
   ModelView model;
 #define GIRDLE_INIT_VALUE(type, member, name) type name;
@@ -66,7 +67,7 @@ struct CompiledView {
 #include "plugin/engine_members.inc"
 };
 
-/// mjData, to read and to write.
+/// View of mjData, to read and to write.
 struct DataView {
 #define GIRDLE_DATA_ARRAY(type, member) type* member;
 #include "plugin/engine_members.inc"
@@ -97,9 +98,9 @@ struct DataView {
   return view;
 }
 
-/// Returns whether all arrays of both structs lie where MuJoCo keeps arrays, and an instance of the
-/// plugin is called `name`, as the engine itself says; a null `name` is not compared. They do not
-/// in an engine that has another layout than the version that it names.
+/// Returns whether the engine has the layout of the version that it names. This is so if all arrays
+/// of both structs are inside MuJoCo's buffers and if the engine says that an instance of the
+/// plugin has the name `name`. A null `name` is not compared.
 [[nodiscard]] bool LayoutFits(const mjModel& model, const mjData& data, const EngineLayout& engine,
                               int instance, const char* name) noexcept;
 

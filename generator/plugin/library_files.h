@@ -8,13 +8,14 @@
 
 namespace girdle {
 
-/// Returns the file of the library that holds `address`, or "another library" if that is not known.
+/// Returns the file of the library that contains `address`, or "another library" if it is unknown.
 [[nodiscard]] std::string FileOf(const void* address);
 
 /// Returns the file of this plugin.
 [[nodiscard]] std::string OwnFile();
 
-/// Returns a loaded plugin for a message: its file, and its Girdle's version where it says one.
+/// Returns the description of a loaded plugin for a message: its file, and the version of its
+/// Girdle if it reports one.
 [[nodiscard]] std::string DescribedPlugin(const std::string& file);
 
 }  // namespace girdle

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// What of a compiled model differs from what the servos need, where MuJoCo itself says nothing.
+/// Differences between a compiled model and what the servos need, if MuJoCo itself gives no
+/// message.
 ///
-/// An <include>, an attachment or a parent's defaults can change a shoulder without a word: the
-/// time step, the integrator, the unit of the joint ranges, springs and friction of the joints.
+/// An <include>, an attachment or a parent's defaults can change a shoulder silently: the time
+/// step, the integrator, the unit of the joint ranges, springs and friction of the joints.
 #pragma once
 
 #include <string>
@@ -15,16 +16,16 @@
 
 namespace girdle {
 
-/// Returns what is off with the line to write, or nothing; several faults are separated by
-/// semicolons.
+/// Returns the faults with the lines to write, separated by semicolons, or an empty text. These
+/// faults are found:
 ///   ranges      read as degrees;
 ///   time step   longer than LongestTimestep_s;
-///   loop        whose constraint is disabled;
-///   force       of a servo that is kept within a narrow range;
+///   loop        with a disabled constraint;
+///   force       of a servo, limited to a narrow range;
 ///   damping     disabled, with terms beside the linear one, or with a lag far from that of the
 ///               emitted models;
 ///   stiffness, friction loss   of a joint that has a servo;
-///   ligaments   of the compiled sites that are longer than their slack where the rhythm goes.
+///   ligaments   between the compiled sites, longer than their slack in some pose of the rhythm.
 [[nodiscard]] std::string ModelFaults(const CompiledView& compiled, const RhythmBinding& binding,
                                       const AssembledRhythm& rhythm);
 

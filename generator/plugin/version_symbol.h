@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// The one function that the plugin's library offers to others than MuJoCo.
+/// The only function of the plugin's library that is not for MuJoCo.
 #pragma once
 
 namespace girdle {
 
-/// Name of a C function without arguments that returns, as a text that stays valid, the version of
-/// Girdle that the plugin belongs to: "0.1.0". It answers in a process without MuJoCo too.
+/// Name of a C function without arguments. It returns the version of Girdle that the plugin belongs
+/// to, for example "0.1.0". The text stays valid. The function also works in a process without
+/// MuJoCo.
 inline constexpr const char* kPluginVersionSymbol = "girdle_rhythm_version";
 
 }  // namespace girdle

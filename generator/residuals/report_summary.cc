@@ -139,7 +139,7 @@ SummaryParts SummaryPartsOf(const ResidualReport& report, const TextStyle& style
           TableOf(KindsOf(report.residuals), style),
           FailuresOf(report, style),
           (report.remark.empty() ? "" : WrappedText(report.remark, style.width) + "\n") +
-              "girdle verify --full shows every residual." + rest + "\n" + verdict};
+              WrappedText("girdle verify --full shows every residual." + rest, style.width) + "\n" + verdict};
 }
 
 std::string SummaryAsText(const ResidualReport& report, const TextStyle& style) {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <string_view>
 #include <vector>
 
 #include "residuals/report_summary.h"
@@ -85,6 +86,15 @@ std::string NarrowTable(const ResidualReport& report, const TextStyle& style) {
   return text;
 }
 
+// A path that is too long without its beginning.
+std::string EndOf(const std::string& path, std::size_t width) {
+  constexpr std::string_view kCut = "...";
+  if (path.size() <= width || width <= kCut.size()) {
+    return path;
+  }
+  return std::string(kCut) + path.substr(path.size() - (width - kCut.size()));
+}
+
 }  // namespace
 
 std::string SubjectText(const ResidualReport& report, std::size_t width) {
@@ -92,7 +102,7 @@ std::string SubjectText(const ResidualReport& report, std::size_t width) {
   const auto line = [width](const char* label, const std::string& text) {
     return LabelledText(label, text, 0, kLabelWidth, width);
   };
-  return line("model", report.model) + line("kind", report.kind) + line("rhythm", report.rhythm) +
+  return line("model", EndOf(report.model, width - std::min(width, kLabelWidth))) + line("kind", report.kind) + line("rhythm", report.rhythm) +
          line("engine", "MuJoCo " + report.engine);
 }
 

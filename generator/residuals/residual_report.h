@@ -30,7 +30,7 @@ struct ReportChoice {
 [[nodiscard]] std::string VerdictText(const ResidualReport& report);
 
 /// Returns what the report is about: model, kind, rhythm, engine. Each begins a line, and lines are
-/// wrapped at `width`.
+/// wrapped at `width`. A longer path of the model loses its beginning.
 [[nodiscard]] std::string SubjectText(const ResidualReport& report, std::size_t width);
 
 /// Returns all residuals as a table for people, the verdict last. The result of a residual is

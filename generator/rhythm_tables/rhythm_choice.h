@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// Which rhythm is meant, by whoever says something about it: a command line, a model.
+/// The choice of a rhythm by a command line or a model.
 ///
-/// A choice says as much as was said and leaves the rest open. Over puts one choice over another,
-/// for example a command line's over a model's. Resolve then fills in the defaults, and MakeRhythm
-/// makes the rhythm:
+/// A choice contains what was chosen and leaves the rest open. Over combines two choices, for
+/// example a command line's and a model's: the first one wins. Resolve then fills in the defaults,
+/// and MakeRhythm makes the rhythm:
 ///
 ///     const RhythmChoice said = {.interpolation = Interpolation::kSquad};
 ///     const ResolvedRhythm meant = Resolve(Over(said, model_says));
@@ -21,27 +21,28 @@
 
 namespace girdle {
 
-/// A table that was read.
+/// A table that was read from a file or from a model.
 struct ReadTable {
   RhythmTable table;
-  std::string file = {};  ///< path; empty for a table that stands in a model
+  std::string file = {};  ///< path; empty for a table inside a model
 };
 
-/// Which table.
+/// The chosen table.
 using TableChoice = std::variant<BuiltInTable, ReadTable>;
 
-/// Returns the built-in table of that word or, for any other text, the table in the file of that
-/// name. Throws InputError if there is no such file or it is no table.
+/// Returns the built-in table with that word. For any other text, it reads the table from the file
+/// of that name. Throws InputError if there is no such file or if the file is not a table.
 [[nodiscard]] TableChoice TableFromWordOrFile(const std::string& text);
 
-/// Returns the built-in table of that word or, for any other text, the table of RhythmTableToLine.
-/// Throws InputError if it is neither; `place` stands in the message for the file.
+/// Returns the built-in table with that word. For any other text, it reads the table from the text,
+/// in the form of RhythmTableToLine. Throws InputError if the text is neither. Its message begins
+/// with `place` instead of a file.
 [[nodiscard]] TableChoice TableFromWordOrLine(const std::string& text, const std::string& place);
 
-/// Returns what reports call a table: its word, its file, or "the model's own".
+/// Returns the name of a table for reports: its word, its file, or "the model's own".
 [[nodiscard]] std::string TableName(const TableChoice& table);
 
-/// What was said of a rhythm; what was not is empty.
+/// The chosen properties of a rhythm. A member that was not chosen is empty.
 struct RhythmChoice {
   std::optional<Interpolation> interpolation = std::nullopt;
   std::optional<Closure> closure = std::nullopt;
@@ -49,39 +50,39 @@ struct RhythmChoice {
   std::optional<TableChoice> table = std::nullopt;
 };
 
-/// Returns the first choice with what it leaves open taken from the second. A range is the
-/// exception: it depends on interpolation and closure. If the first choice says one of these two,
-/// the second's range is dropped, and the default of the new pair counts.
+/// Returns the first choice, with its open members taken from the second. The range is an
+/// exception, because it depends on interpolation and closure. If the first choice contains one of
+/// these two, the second's range is dropped, and the default of the new pair is used.
 [[nodiscard]] RhythmChoice Over(RhythmChoice first, const RhythmChoice& second);
 
-/// Returns the options of a choice, with RhythmOptions' defaults where it is open. The range is
-/// there: DefaultRange if nothing was said.
+/// Returns the options of a choice, with the defaults of RhythmOptions for open members. The range
+/// is filled in: it is DefaultRange if it was open.
 [[nodiscard]] RhythmOptions OptionsOf(const RhythmChoice& choice) noexcept;
 
-/// Returns what reports say of options: `interpolation squad, closure table, range clamp`. They
-/// have a range.
+/// Returns the text of options for reports: `interpolation squad, closure table, range clamp`.
+/// Precondition: the options have a range.
 [[nodiscard]] std::string TextOf(const RhythmOptions& options);
 
-/// A choice with nothing left open.
+/// A choice with no open member.
 struct ResolvedRhythm {
   RhythmTable table;
-  TableChoice chosen_table;  ///< which one `table` is
+  TableChoice chosen_table;  ///< the choice that `table` belongs to
   RhythmOptions options;     ///< with a range
 
   [[nodiscard]] std::string table_name() const { return TableName(chosen_table); }
-  /// Returns the built-in table that `table` is; nothing if it was read.
+  /// Returns the built-in table that `table` is, or nothing if it was read.
   [[nodiscard]] std::optional<BuiltInTable> built_in() const noexcept;
-  /// Returns what reports say of the rhythm: TextOf its options, `, table measured`.
+  /// Returns the text of the rhythm for reports: TextOf its options, then `, table measured`.
   [[nodiscard]] std::string text() const;
 };
 
-/// Returns the choice with defaults for what it leaves open: OptionsOf, and the DefaultTable of the
+/// Returns the choice with defaults for open members: OptionsOf, and the DefaultTable of the
 /// interpolation.
 [[nodiscard]] ResolvedRhythm Resolve(const RhythmChoice& choice);
 
-/// Returns the rhythm, in joint ranges. Throws InputError if the options do not go together or the
-/// table is too small for them. Its message begins with the table's file or, for other tables, with
-/// `otherwise`.
+/// Returns the rhythm with joint ranges. Throws InputError if the options exclude each other or if
+/// the table is too small for them. The message begins with the table's file, or with `otherwise`
+/// if the table has no file.
 [[nodiscard]] ShoulderRhythm MakeRhythm(
     const ResolvedRhythm& resolved, const JointRanges& ranges,
     const std::string& otherwise = "these options do not go together: ");

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// Configuration of one instance of the plugin, from the texts of its `<config>` elements.
+/// Configuration of one instance of the plugin, parsed from the texts of its `<config>` elements.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace girdle {
 
-/// The texts as given; empty where absent.
+/// The texts as written in the model; empty if absent.
 struct RhythmConfigText {
   std::string interpolation;
   std::string closure;
@@ -29,7 +29,7 @@ struct RhythmConfig {
   std::array<double, kCoordinateCount> stiffness_N_m_per_rad;  ///< in the order of kCoordinateNames
   Side side = Side::kRight;
   double translation_stiffness_N_per_m = 0;
-  AxialFrom axial_from = AxialFrom::kRhythm;  ///< of the command axial
+  AxialFrom axial_from = AxialFrom::kRhythm;  ///< zero of the command actuator `axial`
 };
 
 /// Returns the validated configuration. Throws InputError that names key, value and the fix.

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// Published shoulder rhythms: where clavicle and scapula go as the arm is raised.
+/// Published shoulder rhythms: the movement of clavicle and scapula as the arm is raised.
 ///
-/// A rhythm is a function of humeral elevation and plane of elevation. It knows the girdle alone;
-/// where the humerus is comes from elsewhere (WithHumerus). To add one, write its function in
-/// published_rhythms.cc and put it into the list there.
+/// A rhythm is a function of humeral elevation and plane of elevation. It defines the girdle alone.
+/// The humerus comes from elsewhere (WithHumerus). To add a rhythm, write its function in
+/// published_rhythms.cc and add it to the list there.
 #pragma once
 
 #include <array>
@@ -24,7 +24,8 @@ struct GirdlePose {
   Quaternion q_TS;
 };
 
-/// What a rhythm says. Nothing that rests on anything else may be held against it.
+/// The angles that a rhythm defines. Only results that follow from these angles may be compared
+/// with it.
 struct SaidAngles {
   std::array<bool, kGirdleAngleCount> angles{};  ///< in the order of kGirdleAngleNames
 
@@ -35,30 +36,31 @@ struct SaidAngles {
 struct PublishedRhythm {
   std::string_view name;
   std::string_view source;
-  std::string_view says;  ///< what it says and what it does not, for people
+  std::string_view says;  ///< what it defines and what it does not, for people
   SaidAngles said;
-  /// Total for finite angles [rad]; nothing is clamped. Angles that are not said are those of the
-  /// relaxed standing posture.
+  /// Total for finite angles [rad]. Nothing is clamped. Angles that the rhythm does not define are
+  /// those of the relaxed standing posture.
   std::function<GirdlePose(double elevation_rad, double plane_rad)> girdle;
 };
 
 /// Returns the rhythms of the coefficients, in this order:
 ///
 /// - Inman, Saunders and Abbott 1944: the scapula turns upward by a third of the elevation. Only
-///   upward rotation is said.
-/// - Braman et al. 2009: the same with 0.301.
+///   upward rotation is defined.
+/// - Braman et al. 2009: the scapula turns upward by 0.301 of the elevation. Only upward rotation
+///   is defined.
 /// - de Groot and Brand 2001: Y-X'-Z'' angles linear in elevation and plane. The clavicle's axial
-///   rotation is not said, so neither is the scapula in the clavicle.
+///   rotation is not defined, so the scapula in the clavicle is not defined either.
 /// - MoBL-ARMS, Saul et al. 2015: clavicle and scapula turn about axes of the resting bones,
-///   linearly in elevation; nothing depends on the plane. A model of a whole girdle: all is said,
-///   also that the clavicle does not turn about its own axis.
-/// - A frozen girdle: the relaxed standing posture throughout.
+///   linearly in elevation. Nothing depends on the plane. It is a model of a whole girdle, so all
+///   angles are defined, also that the clavicle does not turn about its own axis.
+/// - A frozen girdle: the relaxed standing posture everywhere.
 ///
-/// Throws InputError if the coefficients lack one of these.
+/// Throws InputError if the coefficients of one of these are missing.
 [[nodiscard]] std::vector<PublishedRhythm> PublishedRhythms(const RhythmCoefficients& coefficients);
 
-/// Returns the three joints of a girdle under a humerus that is where it is:
-/// q_CS = q_TC^-1 q_TS, q_SH = q_TS^-1 q_TH.
+/// Returns the three joints of a girdle below a given humerus: q_CS = q_TC^-1 q_TS, q_SH = q_TS^-1
+/// q_TH.
 [[nodiscard]] ShoulderPose WithHumerus(const GirdlePose& girdle, const Quaternion& q_TH) noexcept;
 
 }  // namespace girdle

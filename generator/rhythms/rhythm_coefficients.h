@@ -16,8 +16,8 @@ namespace girdle {
 
 inline constexpr std::size_t kGirdleAngleCount = 6;
 
-/// The angles that place clavicle and scapula in the thorax, in turning order (Y-X'-Z'' each) and
-/// with the signs of the measured table.
+/// The angles that place clavicle and scapula in the thorax, in turning order (Y-X'-Z'' each).
+/// Signs are those of the measured table.
 inline constexpr std::array<std::string_view, kGirdleAngleCount> kGirdleAngleNames = {
     "sc_protraction",        // protraction +
     "sc_elevation",          // elevation -, depression +
@@ -27,7 +27,7 @@ inline constexpr std::array<std::string_view, kGirdleAngleCount> kGirdleAngleNam
     "st_tilt",               // posterior tilt +
 };
 
-/// One angle as a linear function of where the humerus is in the thorax.
+/// One angle as a linear function of the humerus's elevation and plane in the thorax.
 struct LinearAngle {
   double rest_rad = 0;  ///< the angle of the resting person
   double rest_factor = 1;
@@ -35,7 +35,7 @@ struct LinearAngle {
   double per_elevation = 0;  ///< rad per rad of humeral elevation
   double per_plane = 0;      ///< rad per rad of plane of elevation
 
-  /// Returns the part that the arm makes [rad].
+  /// Returns the part of the angle [rad] that depends on the arm.
   [[nodiscard]] constexpr double Change(double elevation_rad, double plane_rad) const noexcept {
     return per_elevation * elevation_rad + per_plane * plane_rad;
   }
@@ -45,18 +45,19 @@ struct LinearAngle {
   }
 };
 
-/// The angles of one rhythm in the order of kGirdleAngleNames; nothing where it does not say one.
+/// The angles of one rhythm in the order of kGirdleAngleNames. An angle that it does not define is
+/// empty.
 using GirdleAngles = std::array<std::optional<LinearAngle>, kGirdleAngleCount>;
 
-/// Rhythms by their word in the file.
+/// The rhythms of a file, by their word in the file.
 using RhythmCoefficients = std::map<std::string, GirdleAngles, std::less<>>;
 
-/// Reads a file with the columns `rhythm`, `angle` (of kGirdleAngleNames), `rest_deg`,
-/// `rest_factor`, `constant_deg`, `per_elevation`, `per_plane`, one row an angle. Throws
+/// Reads a file with the columns `rhythm`, `angle` (a word of kGirdleAngleNames), `rest_deg`,
+/// `rest_factor`, `constant_deg`, `per_elevation` and `per_plane`. Each angle is one row. Throws
 /// InputError with file and line.
 [[nodiscard]] RhythmCoefficients ReadRhythmCoefficients(std::istream& in, const std::string& name);
 
-/// Returns data/published_rhythms.csv.
+/// Returns the coefficients of data/published_rhythms.csv.
 [[nodiscard]] RhythmCoefficients BuiltInRhythmCoefficients();
 
 }  // namespace girdle

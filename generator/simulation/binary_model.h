@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// Looking at a model in MuJoCo's binary format, MJB, before MuJoCo does.
+/// A check of a model in MuJoCo's binary format, MJB, before MuJoCo loads it.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 namespace girdle {
 
 /// Throws InputError if the MJB file at `path` cannot be loaded and stepped in this process. MuJoCo
-/// itself crashes where a plugin of the file is not registered here under the same slot number, and
-/// where some numbers of the file are damaged. To be called while this process has one thread.
+/// itself crashes if a plugin of the file is not registered here with the same slot number, or if
+/// certain numbers of the file are damaged. Precondition: this process has one thread.
 void ExpectLoadable(const std::string& path);
 
 }  // namespace girdle

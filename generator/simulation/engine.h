@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// MuJoCo with owned objects and with errors and warnings that cannot be overlooked.
+/// MuJoCo with objects that have owners, and with errors and warnings as exceptions.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -22,8 +22,9 @@ struct DataDeleter {
 using ModelPointer = std::unique_ptr<mjModel, ModelDeleter>;
 using DataPointer = std::unique_ptr<mjData, DataDeleter>;
 
-/// Makes MuJoCo's errors InputErrors, or std::bad_alloc where it gets no memory, and collects its
-/// warnings, for the life of the object. One at a time in a process.
+/// While this object lives, errors of MuJoCo become exceptions, and its warnings are collected. An
+/// error is InputError, or std::bad_alloc if there is not enough memory. A process may have one
+/// such object at a time.
 class EngineWatch {
  public:
   EngineWatch();
@@ -31,12 +32,13 @@ class EngineWatch {
   EngineWatch& operator=(const EngineWatch&) = delete;
   ~EngineWatch();
 
-  /// Throws InputError with the warnings since the last call, if there were any. `doing` says what
-  /// was going on.
+  /// Throws InputError with the warnings since the last call, if there were any. `doing` describes
+  /// what was being done.
   static void ExpectNoWarning(const std::string& doing);
 
-  /// Returns what the plugin has said of a compiled model since the last call, or nothing. That is
-  /// no warning to ExpectNoWarning: such a model steps, and a report says how it moves.
+  /// Returns what the plugin has reported about a compiled model since the last call, or an empty
+  /// text. ExpectNoWarning does not count it as a warning, because such a model steps, and a report
+  /// says how it moves.
   static std::string TakeModelFault();
 
  private:
@@ -45,20 +47,20 @@ class EngineWatch {
 };
 
 /// Loads the engine plugin as any user of MuJoCo does. Throws InputError if it cannot be loaded or
-/// does not serve this MuJoCo.
+/// does not support this MuJoCo.
 void LoadPlugin(const std::string& path);
 
 /// Loads a model from an MJCF file or a binary MJB file. Throws InputError with MuJoCo's reason.
 [[nodiscard]] ModelPointer LoadModel(const std::string& path);
 
-/// Files of a model that is not written yet: name and text.
+/// Files of a model that is not on disk: name and text.
 using ModelFiles = std::vector<std::pair<std::string, std::string>>;
 
 /// Loads the first of `files`, an MJCF model that may include the others. Throws InputError with
 /// MuJoCo's reason.
 [[nodiscard]] ModelPointer LoadModel(const ModelFiles& files);
 
-/// Throws std::bad_alloc if there is not enough memory.
+/// Makes the data of a model. Throws std::bad_alloc if there is not enough memory.
 [[nodiscard]] DataPointer MakeData(const mjModel& model);
 
 }  // namespace girdle

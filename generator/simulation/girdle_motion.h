@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// Whether a girdle moves as measured or stays.
+/// The choice whether a girdle moves as measured or does not move.
 #pragma once
 
 #include <array>
@@ -9,12 +9,12 @@
 
 namespace girdle {
 
-/// How a girdle goes with its arm.
+/// How a girdle moves with its arm.
 enum class GirdleMotion {
   kMeasured,
-  kFrozen,  ///< it stays, and the arm turns in GH alone
+  kFrozen,  ///< the girdle does not move; the arm turns in GH alone
 };
-/// Words for them, in the order of the enumerators.
+/// Words for the enumerators, in their order.
 inline constexpr std::array<std::string_view, 2> kGirdleMotionNames = {"measured", "frozen"};
 constexpr const auto& WordsOf(GirdleMotion /*which*/) noexcept { return kGirdleMotionNames; }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// A model that MuJoCo has loaded, its state, and the shoulders in it.
+/// A model that MuJoCo has loaded, its state, and its shoulders.
 #pragma once
 
 #include <cstddef>
@@ -15,30 +15,31 @@
 
 namespace girdle {
 
-/// Names are those of model_names.h. All shoulders of a model are of one assembly.
+/// A loaded model and its shoulders. Names of elements are those of model_names.h. All shoulders of
+/// a model have the same assembly.
 class LoadedShoulders {
  public:
-  /// `name` stands in messages for the model. Throws InputError if its plugin does not
-  /// start, if it lacks an element of a shoulder, or if it steps too coarsely for the servos.
+  /// `name` is the model's name in messages. Throws InputError if the model's plugin does not
+  /// start, if an element of a shoulder is missing, or if the time step is too long for the servos.
   LoadedShoulders(ModelPointer model, std::string name);
 
-  /// Chooses the shoulder that is looked at, at first the right one if there are two. Throws
-  /// InputError if the model has no such side.
+  /// Selects the watched shoulder. Without a call it is the right one if there are two. Throws
+  /// InputError if the model does not have that side.
   void Watch(Side side);
 
   [[nodiscard]] const mjModel& model() const noexcept { return *model_; }
-  /// For MuJoCo's functions that step and draw, which do not take it as constant.
+  /// Not constant, for MuJoCo's functions that step and draw.
   [[nodiscard]] mjData& data() noexcept { return *data_; }
   [[nodiscard]] const mjData& data() const noexcept { return *data_; }
   [[nodiscard]] const std::vector<ShoulderElements>& shoulders() const noexcept {
     return shoulders_;
   }
-  /// Of the shoulder that is watched.
+  /// Elements of the watched shoulder.
   [[nodiscard]] const ShoulderElements& elements() const noexcept { return shoulders_[watched_]; }
   [[nodiscard]] bool has_plugin() const noexcept { return shoulders_.front().has_plugin(); }
-  /// Of the hinges that are driven; unbounded where the model gives no range.
+  /// Ranges of the driven hinges; unbounded if the model gives none.
   [[nodiscard]] const JointRanges& ranges() const noexcept { return ranges_; }
-  /// Stiffness of the servos [N m/rad]; 0 for what follows.
+  /// Stiffness of the servos [N m/rad]; 0 for a coordinate that follows.
   [[nodiscard]] const JointAngles& stiffness() const noexcept { return stiffness_N_m_per_rad_; }
   [[nodiscard]] double timestep_s() const noexcept { return model_->opt.timestep; }
   [[nodiscard]] const std::string& name() const noexcept { return name_; }
@@ -53,15 +54,15 @@ class LoadedShoulders {
   JointAngles stiffness_N_m_per_rad_;
 };
 
-/// Returns what the model says of the rhythm of the shoulder that is watched. Position servos say
-/// nothing.
+/// Returns what the model defines about the rhythm of the watched shoulder. A model with position
+/// servos defines nothing.
 [[nodiscard]] RhythmChoice OwnChoice(const LoadedShoulders& shoulders);
 
-/// Returns what the model's command for the axial turn is counted from; the rhythm's own turn where
-/// there is no such command.
+/// Returns the zero of the model's command for the axial turn. If there is no such command, it is
+/// the rhythm's own turn.
 [[nodiscard]] AxialFrom OwnAxialFrom(const LoadedShoulders& shoulders);
 
-/// Returns the rhythm that OwnChoice stands for, as the assembly of the model follows it.
+/// Returns the rhythm of OwnChoice, for the assembly of the model.
 [[nodiscard]] AssembledRhythm OwnRhythm(const LoadedShoulders& shoulders);
 
 }  // namespace girdle

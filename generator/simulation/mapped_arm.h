@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// Moving the arm of a model that is not ours, and all that hangs on it by the model's own rules.
+/// Moves the arm of a foreign model, together with everything that follows the arm by the model's
+/// own rules.
 #pragma once
 
 #include <string>
@@ -13,10 +14,11 @@
 
 namespace girdle {
 
-/// A model is at rest below it: at 20 ms of lag of a servo that is 1e-6 deg from where it goes to.
+/// A model is at rest if its speed is below this. With a servo lag of 20 ms it is then 1e-6 deg
+/// from its target.
 inline constexpr double kRestSpeed_rad_per_s = 1e-6;
 
-/// What became of a move. "Not reached" is a result, not an error.
+/// Result of a move. "Not reached" is a result, not an error.
 struct ArmMove {
   bool reached = false;
   std::string reason;  ///< why it was not reached
@@ -25,25 +27,26 @@ struct ArmMove {
   double speed_rad_per_s = 0;  ///< largest of the model's generalized velocities
 };
 
-/// The arm as a mapping sets it.
+/// The arm of a model as a mapping moves it.
 ///
-/// By joints: the mapping's joints are put where they have to be and held, and all other joints
-/// move by as little as satisfies the model's equality constraints (couplings of joints, connect,
-/// weld, tendons), by Newton's method. No forces, no limits, no contacts.
+/// With joints: the mapping's joints are set to their values and held. All other joints move as
+/// little as possible to satisfy the model's equality constraints (couplings of joints, connect,
+/// weld, tendons), by Newton's method. There are no forces, no limits and no contacts.
 ///
-/// By actuators: the mapping's controls are set and the model runs until it rests.
+/// With actuators: the mapping's controls are set, and the model runs until it is at rest.
 class MappedArm {
  public:
-  /// `model` and `mapping` must outlive this. With joints, contacts and limits of the model are
-  /// switched off. Throws InputError, with the mapping's file and line, if the model lacks a joint
-  /// or actuator, a joint is no hinge, or follows another one by an equality constraint.
+  /// `model` and `mapping` must outlive this object. With joints, it switches off contacts and
+  /// limits of the model. Throws InputError, with the mapping's file and line, if the model lacks a
+  /// joint or actuator, if a joint is not a hinge, or if a joint follows another one by an equality
+  /// constraint.
   MappedArm(mjModel& model, const ModelMapping& mapping);
 
-  /// Moves the arm to where it points in a direction. Angles as in ModelMapping. Throws InputError
-  /// where MuJoCo warns.
+  /// Moves the arm until it points in a direction. Angles are those of ModelMapping. Throws
+  /// InputError if MuJoCo warns.
   [[nodiscard]] ArmMove Move(const ArmAngles& wanted);
 
-  /// Everything that MuJoCo derives of positions, after the last move.
+  /// The data after the last move, with everything that MuJoCo derives from positions.
   [[nodiscard]] const mjData& data() const noexcept { return *data_; }
   [[nodiscard]] bool moves_by_actuators() const noexcept { return mapping_.drives_are_actuators; }
 
@@ -51,11 +54,11 @@ class MappedArm {
   void FindJoints();
   void FindActuators();
   void ExpectNoFollowers() const;
-  /// Why the values are beyond the ranges of joints or controls; empty if they are not.
+  /// Returns why values are beyond the ranges of joints or controls; empty if they are not.
   [[nodiscard]] std::string BeyondRange(const std::vector<double>& values) const;
   [[nodiscard]] ArmMove MoveJoints(const std::vector<double>& values);
   [[nodiscard]] ArmMove MoveActuators(const std::vector<double>& values);
-  /// Satisfies the equality constraints with the joints held where they are; returns what is left.
+  /// Satisfies the equality constraints while the joints are held. Returns the remaining residual.
   [[nodiscard]] double SolveCouplings();
   [[nodiscard]] double Coupling() const;
 

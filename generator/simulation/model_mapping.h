@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// Which parts of somebody else's model are the bones of a shoulder, and what moves its arm.
+/// The parts of a foreign model that are the bones of a shoulder, and the joints or actuators that
+/// move its arm.
 ///
-/// A file has the columns `part`, `by`, `name` and, where a row needs them, numbers; an empty cell
-/// is no number. A row is one of
+/// A file has the columns `part`, `by`, `name` and, for rows that need them, numbers. An empty cell
+/// is no number. A row is one of these:
 ///
 ///     part                      by        name     numbers
 ///     side                                right    none (or left)
@@ -13,14 +14,15 @@
 ///     thorax, clavicle,         body      a body   y_deg, x_deg, z_deg: the turns Y-X'-Z'' that
 ///     scapula, humerus                             take the body's axes into the bone's
 ///     arm                       joint     a hinge  per_elevation, per_plane, per_axial, offset_deg
-///     arm                       actuator  one      the same
+///     arm                       actuator  one      per_elevation, per_plane, per_axial, offset_deg
 ///
 /// A bone's axes are those of the ISB: x forward, y up, z to the right, on both sides of the body.
-/// A joint's coordinate, or an actuator's control, is
+/// The coordinate of a joint, or the control of an actuator, is
 ///
 ///     per_elevation theta + per_plane psi + per_axial gamma + offset        [rad]
 ///
-/// of the direction (theta, psi) and the turn about the long axis (gamma, internal +) that the
+/// Here (theta, psi) is the direction of the humerus in the thorax and gamma its turn about the
+/// long axis (internal +): q_TH = Y(psi) X(-theta) Y(gamma). Absent factors are 0.
 /// humerus is to have in the thorax: q_TH = Y(psi) X(-theta) Y(gamma). Absent factors are 0.
 #pragma once
 
@@ -50,13 +52,13 @@ struct MappedBodyPoint {
   Vector3 point_m{0, 0, 0};  ///< in the body's frame
 };
 
-/// Where a landmark is in a model.
+/// The place of a landmark in a model.
 struct MappedLandmark {
   std::variant<MappedSite, MappedBodyPoint> place;
-  std::size_t line = 0;  ///< of the file, from 1
+  std::size_t line = 0;  ///< line of the file, from 1
 };
 
-/// A bone whose frame F is fixed in a body B.
+/// A bone. Its frame F is fixed in a body B.
 struct MappedBone {
   std::string body;
   Quaternion q_BF{1, 0, 0, 0};
@@ -73,13 +75,14 @@ struct MappedDrive {
   std::size_t line = 0;
 };
 
-/// Every bone but the clavicle is given, by its own row or by the landmarks of its frame.
+/// A mapping. Every bone except the clavicle is given, either by its own row or by the landmarks of
+/// its frame.
 struct ModelMapping {
-  std::string file;  ///< stands in messages for it
+  std::string file;  ///< the mapping's name in messages
   Side side = Side::kRight;
   std::array<std::optional<MappedLandmark>, kLandmarkCount> landmarks;  ///< in Landmark's order
   std::array<std::optional<MappedBone>, kSegmentCount> bones;           ///< in Segment's order
-  std::vector<MappedDrive> drives;                                      ///< all of one kind
+  std::vector<MappedDrive> drives;  ///< either all joints or all actuators
   bool drives_are_actuators = false;
 
   [[nodiscard]] const std::optional<MappedLandmark>& landmark(Landmark landmark) const noexcept {
@@ -90,14 +93,14 @@ struct ModelMapping {
   }
 };
 
-/// Landmarks that make a bone's frame. PAC is the end of the clavicle and the scapula's origin, as
-/// in data/landmarks.csv.
+/// Returns the landmarks that define a bone's frame. PAC is the end of the clavicle and the origin
+/// of the scapula, as in data/landmarks.csv.
 [[nodiscard]] const std::vector<Landmark>& FrameLandmarks(Segment segment);
 
-/// Reads a mapping. Throws InputError, with file and line, at the first row that cannot be: an
-/// unknown word, a part that stands twice, a number where none belongs or none where one does, a
-/// point more than a meter from its body (millimetres where metres are meant), joints and actuators
-/// together; and if a bone or what sets elevation or plane is missing.
+/// Reads a mapping. Throws InputError, with file and line, at the first invalid row: an unknown
+/// word, a repeated part, a number too many or too few, a point more than a meter from its body
+/// (millimetres instead of metres), or joints and actuators together. Throws it also if a bone is
+/// missing, or the row that sets elevation or plane.
 [[nodiscard]] ModelMapping ReadModelMapping(std::istream& in, const std::string& name);
 
 }  // namespace girdle

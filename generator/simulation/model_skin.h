@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// The skin of a MuJoCo model: how it is bound, and where MuJoCo has its vertices.
+/// The skin of a MuJoCo model: its bind pose, and its vertices as MuJoCo computes them.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -17,33 +17,37 @@
 
 namespace girdle {
 
-/// Whether a model has a skin of the name kSkinName. One of another name is none of ours.
+/// Returns whether a model has a skin with the name kSkinName. Skins with other names are not
+/// Girdle's.
 [[nodiscard]] bool HasSkin(const mjModel& model);
 
-/// Returns the pose in which the skin named kSkinName is bound to one side's shoulder, as that of a
-/// right one; nothing if the model has no such skin or the skin leaves one of its bones out.
+/// Returns the pose in which the skin named kSkinName is bound to the shoulder of one side, as that
+/// of a right shoulder. Returns nothing if the model has no such skin or if the skin does not use
+/// all bones of that shoulder.
 [[nodiscard]] std::optional<ShoulderPose> BindPose(const mjModel& model, Side side);
 
-/// The skin named kSkinName of a model, which must outlive it.
+/// The skin named kSkinName of a model. The model must outlive this object.
 class ModelSkin {
  public:
-  /// `model_name` stands in messages for the model. Throws InputError if the model has no such
-  /// skin, or if it does not hang on the thorax.
+  /// `model_name` is the model's name in messages. Throws InputError if the model has no such skin
+  /// or if the skin is not bound to the thorax.
   ModelSkin(const mjModel& model, std::string model_name);
 
-  /// As it was bound, in the frame of the thorax then [m]. Bones have their bodies' names.
+  /// The skin as it was bound [m], in the frame that the thorax had then. Bones have the names of
+  /// their bodies.
   [[nodiscard]] const BoundSkin& bound() const noexcept { return bound_; }
 
-  /// Returns the vertices of one side's landmarks. Throws InputError that names the `<numeric>` if
-  /// it is missing or holds a number of no vertex.
+  /// Returns the vertices of one side's landmarks. Throws InputError with the name of the
+  /// `<numeric>` if it is missing or contains an index without a vertex.
   [[nodiscard]] SkinLandmarkVertices Landmarks(Side side) const;
 
-  /// Returns the frames in the world of the bodies that the skin hangs on, in the order of
-  /// bound().bones: `data` holds derived positions.
+  /// Returns the frames in the world of the bodies that the skin is bound to, in the order of
+  /// bound().bones. Precondition: `data` has derived positions.
   [[nodiscard]] std::vector<BoneFrame> BonesInWorld(const mjData& data) const;
 
-  /// Returns the vertices in the world [m] as MuJoCo draws them, from the same positions. Needs no
-  /// OpenGL. MuJoCo's function does not take `data` as constant; nothing of it changes.
+  /// Returns the vertices in the world [m] as MuJoCo draws them. Precondition: `data` has derived
+  /// positions. Needs no OpenGL. MuJoCo's function takes `data` as not constant, but does not
+  /// change it.
   [[nodiscard]] std::vector<Vector3> VerticesInWorld_m(mjData& data) const;
 
  private:
@@ -53,9 +57,9 @@ class ModelSkin {
 
   const mjModel& model_;
   std::string model_name_;
-  std::vector<int> bodies_;  ///< ids, of bound_.bones
+  std::vector<int> bodies_;  ///< ids of the bodies of bound_.bones
   BoundSkin bound_;
-  /// What MuJoCo writes the vertices to.
+  /// The scene into which MuJoCo writes the vertices.
   std::unique_ptr<mjvScene, SceneDeleter> scene_;
 };
 

@@ -18,11 +18,10 @@
 
 namespace girdle {
 
-/// Sites whose positions are read: all landmarks, then the child side of SC, AC and GH.
+/// Number of sites whose positions are read: all landmarks, then the child site of SC, AC and GH.
 inline constexpr std::size_t kSiteCount = kLandmarkCount + kJointCount;
 
-/// Returns the name of a site's column stem and of the site itself without side: `TS`,
-/// `PAC_scapula`.
+/// Returns the stem of a site's name and of its columns, without side: `TS`, `PAC_scapula`.
 [[nodiscard]] std::string_view SiteStem(std::size_t site);
 
 /// Ids and addresses of one shoulder's elements.
@@ -30,29 +29,29 @@ struct ShoulderElements {
   Side side = Side::kRight;
   Assembly assembly = Assembly::kTree;
   Lead lead = Lead::kClavicle;
-  /// Of the plugin; -1 where position servos move the joints.
+  /// The plugin's instance; -1 if position servos move the joints.
   int instance = -1;
   std::array<int, kCommandCount> command_controls{};  ///< of a model with the plugin
-  std::array<int, kOffsetCount> offset_controls{};    ///< -1 where the model has none
-  std::array<int, kRateCount> rate_controls{};        ///< -1 where the model has none
-  /// Trims of the plugin's servos, or what the position servos are given; -1 where there is none.
+  std::array<int, kOffsetCount> offset_controls{};    ///< -1 if the model has none
+  std::array<int, kRateCount> rate_controls{};        ///< -1 if the model has none
+  /// Trims of the plugin's servos, or targets of the position servos; -1 if there is none.
   std::array<int, kCoordinateCount> joint_controls{};
-  std::array<int, 3> place_controls{};  ///< of the scapula's place, -1 where it is not driven
+  std::array<int, 3> place_controls{};  ///< of the scapula's position; -1 if it is not driven
   std::array<int, kCoordinateCount> qpos{};
-  std::array<int, 3> place_qpos{};          ///< of the scapula's place in a loop
+  std::array<int, 3> place_qpos{};          ///< of the scapula's position in a loop
   int connect = -1;                         ///< equality that closes the AC joint of a loop
   std::array<int, kSegmentCount> bodies{};  ///< in the order of Segment
   std::array<int, kSiteCount> sites{};
   std::array<int, kLigamentCount> tendons{};  ///< in the order of LigamentName
   int gliding = -1;                           ///< geom of models with thorax contact
-  int sensor = -1;                            ///< address in sensordata, where there is the plugin
+  int sensor = -1;  ///< address in sensordata, if the model has the plugin
 
   [[nodiscard]] bool has_plugin() const noexcept { return instance >= 0; }
   [[nodiscard]] bool has_thorax_contact() const noexcept { return gliding >= 0; }
 };
 
 /// Finds the shoulders by the names of model_names.h, the right one first. Throws InputError that
-/// names what is missing; `name` stands in the message for the model.
+/// names what is missing. `name` is the model's name in the message.
 [[nodiscard]] std::vector<ShoulderElements> FindShoulders(const mjModel& model,
                                                           const std::string& name);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// Stepping the shoulders of a MuJoCo model.
+/// Steps the shoulders of a MuJoCo model.
 #pragma once
 
 #include <string>
@@ -17,68 +17,67 @@
 
 namespace girdle {
 
-/// A model with its plugin, or with position servos, ready to step. All its shoulders get the same
-/// command; the states are those of one of them. Throws InputError where MuJoCo warns.
+/// A model with its plugin or with position servos, ready to step. All its shoulders follow the
+/// same command. States are those of the watched shoulder. Throws InputError if MuJoCo warns.
 class ShoulderSimulation {
  public:
-  /// `rhythm` is what position servos, which know none, are told to follow. A plugin has its own,
-  /// and does not look at it.
+  /// `rhythm` gives the targets of position servos, which have no rhythm of their own. The plugin
+  /// uses its own rhythm instead.
   ShoulderSimulation(LoadedShoulders shoulders, AssembledRhythm rhythm);
-  /// With OwnRhythm.
+  /// Uses OwnRhythm.
   explicit ShoulderSimulation(LoadedShoulders shoulders);
   ShoulderSimulation(ModelPointer model, std::string name)
       : ShoulderSimulation(LoadedShoulders(std::move(model), std::move(name))) {}
 
-  /// Chooses the shoulder whose states are returned. Throws InputError if the model has no such
-  /// side.
+  /// Selects the watched shoulder, whose states are returned. Throws InputError if the model does
+  /// not have that side.
   void Watch(Side side) { loaded_.Watch(side); }
 
-  /// Returns a command with its axial turn counted from what the model's own command is counted
-  /// from. Position servos have no such command: it stays as it is.
+  /// Returns a command with its axial turn counted from the zero of the model's own command. A
+  /// model with position servos has no such command, so the result is unchanged.
   [[nodiscard]] ArmCommand AsModelCounts(const ArmCommand& command) const;
 
-  /// Puts the arm at rest where a command asks for it.
+  /// Puts the arm at rest at its targets for a command.
   void Start(const ArmCommand& command);
 
-  /// Steps once under a command, and its rate where the model has commands for it. Returns the
-  /// state at the step's beginning.
+  /// Steps once under a command. The rate is used if the model has rate commands. Returns the state
+  /// at the beginning of the step.
   ShoulderState Step(const ArmCommand& command, const CommandRate& rate = {});
 
-  /// Returns the state as it is, under a command, without moving.
+  /// Returns the present state under a command, without a step.
   ShoulderState Observe(const ArmCommand& command);
 
-  /// Puts the joints at the plugin's own targets for a command and returns the state there, at
-  /// rest.
+  /// Puts the joints at the plugin's own targets for a command, at rest, and returns that state.
   ShoulderState ObserveAtTargets(const ArmCommand& command);
 
-  /// Puts all joints where a keyframe of the model has them, at rest, and derives positions.
+  /// Puts all joints at a keyframe of the model, at rest, and derives positions.
   void PutAtKeyframe(int key);
 
-  /// Puts one shoulder's joints into a pose, at rest, and derives positions. In a loop the scapula
-  /// is where the clavicle takes it.
+  /// Puts one shoulder's joints into a pose, at rest, and derives positions. In a loop the clavicle
+  /// determines the position of the scapula.
   void PutAt(const ShoulderElements& elements, const ShoulderPose& pose);
 
-  /// Returns the pose of one shoulder, as that of a right one, where its bones are.
+  /// Returns the pose of one shoulder from its bones, as that of a right shoulder.
   [[nodiscard]] ShoulderPose PoseOf(const ShoulderElements& elements) const;
 
   [[nodiscard]] const LoadedShoulders& loaded() const noexcept { return loaded_; }
   [[nodiscard]] const AssembledRhythm& rhythm() const noexcept { return rhythm_; }
   [[nodiscard]] const mjModel& model() const noexcept { return loaded_.model(); }
-  /// For MuJoCo's functions that draw, which do not take it as constant.
+  /// Not constant, for MuJoCo's functions that draw.
   [[nodiscard]] mjData& data() noexcept { return loaded_.data(); }
   [[nodiscard]] const mjData& data() const noexcept { return loaded_.data(); }
   [[nodiscard]] const std::vector<ShoulderElements>& shoulders() const noexcept {
     return loaded_.shoulders();
   }
-  /// Of the shoulder that is watched.
+  /// Elements of the watched shoulder.
   [[nodiscard]] const ShoulderElements& elements() const noexcept { return loaded_.elements(); }
   [[nodiscard]] bool has_plugin() const noexcept { return loaded_.has_plugin(); }
-  /// What position servos are to be given for the last command [rad; of a place m], and the names
-  /// of their actuators: the control signal of the same model with position servos.
+  /// The targets of position servos for the last command [rad; m for a position], and the names of
+  /// their actuators. They are the control signal for the same model with position servos.
   [[nodiscard]] std::vector<double> Targets() const;
   [[nodiscard]] std::vector<std::string> TargetNames() const;
-  /// How far the AC joint of each shoulder of a loop is open in the last state [m], and the names
-  /// of the equalities that close them; none of trees.
+  /// The opening of the AC joint of each shoulder of a loop in the last state [m], and the names of
+  /// the equalities that close these joints. Empty for a tree.
   [[nodiscard]] std::vector<double> LoopGaps_m() const;
   [[nodiscard]] std::vector<std::string> LoopNames() const;
   [[nodiscard]] const JointRanges& ranges() const noexcept { return loaded_.ranges(); }
@@ -101,19 +100,19 @@ class ShoulderSimulation {
   [[nodiscard]] bool IsOnThorax(const mjContact& contact) const;
   [[nodiscard]] std::vector<double> PushingTorques() const;
   [[nodiscard]] JointAngles Positions() const;
-  /// Everything that MuJoCo derives, with positions as given.
+  /// Everything that MuJoCo derives, with the given positions.
   [[nodiscard]] ShoulderState Derived(double time_s, const ArmCommand& command,
                                       const JointAngles& position_rad) const;
   [[nodiscard]] double FastestJoint(mjtJoint type) const;
-  /// What is left of a value within the range of a control; `control` is -1 for none.
+  /// Returns a value limited to the range of a control. `control` is -1 for no control.
   [[nodiscard]] double WithinControl(double value, int control) const;
-  /// Replaces the offsets commanded by those that are left of them where the arm is.
+  /// Replaces the commanded offsets by the offsets that are possible where the arm is.
   void TakeOffsetsUsed(ArmCommand& used) const;
 
   LoadedShoulders loaded_;
   AssembledRhythm rhythm_;
-  AxialFrom axial_from_;  ///< of the model's command
-  /// What position servos were told last, and what of it they follow.
+  AxialFrom axial_from_;  ///< zero of the model's axial command
+  /// The last command of position servos and the pose that they follow.
   ArmCommand used_;
   ShoulderPose target_;
 };

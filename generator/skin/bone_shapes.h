@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// Simple solids in the place of bones, for telling which bone a piece of skin lies over.
+/// Simple solids that replace bones, to find the bone below a piece of skin.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace girdle {
 
-/// A straight rod with round ends, thorax frame.
+/// A straight rod with round ends, in the thorax frame.
 struct Rod {
   Vector3 from_m{0, 0, 0};
   Vector3 to_m{0, 0, 0};
@@ -19,18 +19,17 @@ struct Rod {
 
 struct BoneShape {
   std::vector<Rod> rods;
-  std::vector<Ellipsoid> ellipsoids;  ///< thorax frame
+  std::vector<Ellipsoid> ellipsoids;  ///< in the thorax frame
 };
 
-/// Returns the shapes of bones, in their order. Thorax: a rib cage, the neck, the spine and the
-/// sternum; clavicle: SC to AC; scapula: its
-/// spine, acromion, medial border, neck and coracoid process; humerus: the
-/// head and the shaft to the elbow. A side without a shoulder of its own in `bones` belongs to the
-/// thorax, with all its bones as they stand.
+/// Returns the shapes of bones, in their order. Thorax: rib cage, neck, spine and sternum.
+/// Clavicle: SC to AC. Scapula: spine, acromion, medial border, neck and coracoid process. Humerus:
+/// the head, and the shaft to the elbow. If `bones` has no shoulder of a side, all bones of that
+/// side belong to the thorax, in their present positions.
 [[nodiscard]] std::vector<BoneShape> BoneShapesOf(const PosedBody& body,
                                                   const std::vector<SkinBone>& bones);
 
-/// Returns the distance [m] of a point from the nearest of a shape's solids; 0 inside.
+/// Returns the distance [m] of a point from the nearest solid of a shape; 0 inside.
 [[nodiscard]] double DistanceFrom_m(const BoneShape& shape, const Vector3& point_m) noexcept;
 
 }  // namespace girdle

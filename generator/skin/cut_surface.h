@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// Cutting a surface with shares of bones along a plane.
+/// Cuts a surface along a plane, together with the bones' shares in its vertices.
 #pragma once
 
 #include <vector>
@@ -12,20 +12,20 @@
 
 namespace girdle {
 
-/// A surface and the shares of bones in its vertices.
+/// A surface and the bones' shares in its vertices.
 struct WeightedSurface {
   TriangleMesh mesh;
   SkinWeights weights;
 };
 
-/// Vertices that are nearer to a cut are moved onto it, so that it leaves no slivers [m].
+/// Vertices nearer to a cut than this [m] are moved onto it, so that the cut leaves no slivers.
 inline constexpr double kNearCut_m = 0.002;
 
-/// Returns what lies in a half space, and all of the vertices that `spared` names, with lids on the
-/// holes that the cut leaves: a closed surface stays closed. Where the cut crosses an edge there is
-/// a new vertex with the shares that are right for its place; a lid has more of them inside its
-/// rim. Vertices keep their order, new ones come last. A lid has to be such that one can see all of
-/// its rim from its middle.
+/// Returns the part of a surface in a half space, and all vertices that `spared` marks. Lids close
+/// the holes that the cut leaves, so a closed surface stays closed. Where the cut crosses an edge,
+/// there is a new vertex, whose shares are interpolated along the edge. A lid has further new
+/// vertices inside its rim. Vertices keep their order, and new ones come last. Precondition: all of
+/// a lid's rim is visible from its middle.
 [[nodiscard]] WeightedSurface Cut(const WeightedSurface& surface, const HalfSpace& kept,
                                   const std::vector<bool>& spared);
 

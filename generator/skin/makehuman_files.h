@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// The files that the MakeHuman project's bodies are made of, each by itself.
+/// Readers for the single files of the MakeHuman project's bodies.
 ///
-/// Lengths in them are decimetres; x points to the body's left, y up, z to the front.
+/// Lengths in the files are decimetres. x points to the body's left, y up, z to the front.
 #pragma once
 
 #include <array>
@@ -17,32 +17,31 @@
 
 namespace girdle {
 
-/// Corners of a face, counted from 0; counter-clockwise seen from outside.
+/// Indices of a face's corners, from 0, counter-clockwise seen from outside.
 using Quad = std::array<int, 4>;
 
-/// A mesh whose faces stand in named groups: the body, its eyes, and cubes where its joints are.
+/// A mesh with its faces in named groups: the body, its eyes, and cubes for its joints.
 struct MakeHumanMesh {
   std::vector<Vector3> vertices_dm;
   std::map<std::string, std::vector<Quad>> groups;
 };
 
-/// Shares of an artist's bones in vertices, by the bones' names.
+/// Shares of an artist's bones in vertices, by the names of the bones.
 using MakeHumanWeights = std::map<std::string, std::vector<std::pair<int, double>>>;
 
-/// Reads a mesh of the project (`.obj`): `v`, `f` of four corners each, `g`; texture and smoothing
-/// (`vt`, `s`) are passed over. Throws InputError with file and line for anything else, for a
-/// number that is none and for a corner that is no vertex above.
+/// Reads a mesh of the project (`.obj`): `v`, `f` with four corners each, `g`. Texture and
+/// smoothing (`vt`, `s`) are ignored. Throws InputError with file and line for any other line, for
+/// an invalid number and for a corner without a vertex before it.
 [[nodiscard]] MakeHumanMesh ReadMakeHumanMesh(std::istream& in, const std::string& name);
 
-/// Moves vertices by `share` of what a shape of the project (`.target`) says: a vertex and its
-/// displacement a line. Throws InputError with file and line for anything else and for a vertex
-/// that is not there.
+/// Moves vertices by `share` of a shape of the project (`.target`). Each line of the file has a
+/// vertex and its displacement. Throws InputError with file and line for any other line and for a
+/// vertex that does not exist.
 void AddMakeHumanTarget(std::istream& in, const std::string& name, double share,
                         std::vector<Vector3>& vertices_dm);
 
-/// Reads the weights of a rig of the project (`.json`). Throws InputError for text that is no such
-/// JSON, for a share that is not within 0 and 1 and for a vertex of `vertex_count` that is not
-/// there.
+/// Reads the weights of a rig of the project (`.json`). Throws InputError if the text is not such
+/// JSON, if a share is not in [0, 1], or if a vertex is not below `vertex_count`.
 [[nodiscard]] MakeHumanWeights ReadMakeHumanWeights(std::istream& in, const std::string& name,
                                                     std::size_t vertex_count);
 

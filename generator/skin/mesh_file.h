@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// Meshes that people bring: reading them, and what keeps one from being a skin.
+/// Reads meshes of users, and finds the reason why a mesh cannot be a skin.
 #pragma once
 
 #include <optional>
@@ -11,23 +11,23 @@
 
 namespace girdle {
 
-/// The largest mesh that is taken: to find the shares of bones in it takes some seconds. A closed
-/// surface has about twice as many triangles as vertices.
+/// The largest mesh that is accepted. The bones' shares in it take some seconds to compute. A
+/// closed surface has about twice as many triangles as vertices.
 inline constexpr std::size_t kMostMeshVertices = 200'000;
 inline constexpr std::size_t kMostMeshTriangles = 2 * kMostMeshVertices;
 
-/// Reads the triangles of a glTF (`.glb`, `.gltf`) or Wavefront (`.obj`) file, in its own frame,
-/// with the transforms of its nodes applied, as it stands without its own rig. Faces of more
-/// corners are cut into triangles; vertices at the same place become one, in the order in which
-/// they first stand in a triangle; materials, lines and points are passed over. Throws InputError
-/// for a file that cannot be read, one without triangles, one with a vertex that is nowhere (not of
-/// finite numbers), and one of more than kMostMeshVertices or kMostMeshTriangles, at the first that
-/// is too many: parts that are used many times count as often.
+/// Reads the triangles of a glTF (`.glb`, `.gltf`) or Wavefront (`.obj`) file, in the file's own
+/// frame. The transforms of nodes are applied; a rig is not. Faces with more corners are split into
+/// triangles. Vertices at the same place become one, ordered by their first use in a triangle.
+/// Materials, lines and points are ignored. Throws InputError if the file cannot be read, if it has
+/// no triangles, if a coordinate is not finite, or if it has more than kMostMeshVertices or
+/// kMostMeshTriangles. It stops at the first one too many; a part that is used several times counts
+/// each time.
 [[nodiscard]] TriangleMesh ReadMeshFile(const std::string& path);
 
-/// Returns what keeps a mesh in metres from being the skin of a person, with the fix: a face
-/// without an area, one that is flipped, an edge with a face on one side only, all faces inside
-/// out, the size of nobody. Nothing if it can be one. Faces and vertices are counted from 0.
+/// Returns the reason why a mesh in metres cannot be the skin of a person, with the fix, or nothing
+/// if it can. Reasons are: a face without area, a flipped face, an edge with a face on one side
+/// only, all faces inside out, a size that no person has. Faces and vertices are counted from 0.
 [[nodiscard]] std::optional<std::string> FlawOfSkin(const TriangleMesh& mesh);
 
 }  // namespace girdle

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// A body's surface and the bones that stand in it: what a skin is made of.
+/// A body's surface and the bones in it, from which a skin is made.
 #pragma once
 
 #include <array>
@@ -15,51 +15,51 @@
 
 namespace girdle {
 
-/// A person standing still. The surface is in the thorax frame (ISB: origin IJ, x anterior, y up, z
-/// right; metres), and so are the bones: those of the right shoulder in `pose`, those of the left
-/// one mirrored in the plane z = 0.
+/// A person standing still. Surface and bones are in the thorax frame (ISB: origin IJ, x anterior,
+/// y up, z right; metres). The right shoulder is in `pose`. The left shoulder is its mirror image
+/// in the plane z = 0.
 struct PosedBody {
   TriangleMesh surface;
   Anatomy anatomy;
   ShoulderPose pose;
 };
 
-/// A bone that skin can hang on. The thorax has no side.
+/// A bone that skin can be bound to. The thorax has no side.
 struct SkinBone {
   Segment segment = Segment::kThorax;
   Side side = Side::kRight;  ///< no meaning for the thorax
 
-  /// Of the body in emitted models: `thorax`, `scapula_r`.
+  /// Name of the bone's body in emitted models: `thorax`, `scapula_r`.
   [[nodiscard]] std::string name() const;
 };
 
-/// Returns the bones of a model with these shoulders: the thorax, then clavicle, scapula and
-/// humerus of each side.
+/// Returns the bones of a model with shoulders on these sides: the thorax, then clavicle, scapula
+/// and humerus of each side.
 [[nodiscard]] std::vector<SkinBone> SkinBonesOf(const std::vector<Side>& sides);
 
-/// Where a bone's frame is in the thorax.
+/// The frame B of a bone in the thorax.
 struct BoneFrame {
   Quaternion q_TB{1, 0, 0, 0};
   Vector3 p_TB_m{0, 0, 0};
 };
 
-/// Returns a bone's frame when the shoulder of its side is in `pose` (a left one in its mirror
-/// image).
+/// Returns a bone's frame if the shoulder of its side is in `pose`. A left shoulder is in the
+/// mirror image of the pose.
 [[nodiscard]] BoneFrame FrameInThorax(const Anatomy& anatomy, const ShoulderPose& pose,
                                       const SkinBone& bone) noexcept;
 
-/// Returns a point of a right shoulder's segment, given in the segment's frame, in the thorax frame
-/// for the shoulder of `side` [m].
+/// Returns a point [m] in the thorax frame. `point_m` is in the frame of a right shoulder's
+/// segment; for the left side the result is mirrored.
 [[nodiscard]] Vector3 OnSideInThorax_m(const Anatomy& anatomy, const ShoulderPose& pose, Side side,
                                        Segment segment, const Vector3& point_m) noexcept;
 /// Returns a landmark of the shoulder of `side` in the thorax frame [m].
 [[nodiscard]] Vector3 OnSideInThorax_m(const Anatomy& anatomy, const ShoulderPose& pose, Side side,
                                        Landmark landmark) noexcept;
 
-/// Returns the tip of the acromion, scapula frame [m]: its front outer corner, beside and before
-/// the AC joint's centre, above the head of the humerus. No landmark of the ISB; put an acromion's
-/// length, some 5 cm, from the acromial angle (AA), after textbook figures. It grows with the
-/// scapula.
+/// Returns the tip of the acromion [m], scapula frame. It is the front outer corner of the
+/// acromion, lateral and anterior to the AC joint's centre, above the head of the humerus. The ISB
+/// has no such landmark. It is placed an acromion's length, some 5 cm, from the acromial angle
+/// (AA), after textbook figures. It is scaled with the scapula.
 [[nodiscard]] Vector3 AcromionTip_m(const Anatomy& anatomy) noexcept;
 
 }  // namespace girdle

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// Named places of the skin over a shoulder.
+/// Named places on the skin over a shoulder.
 #pragma once
 
 #include <array>
@@ -12,15 +12,15 @@
 
 namespace girdle {
 
-/// Vertices of one shoulder's skin landmarks, in the order of kSkinLandmarkNames: the nearest one
-/// first.
+/// Vertices of one shoulder's skin landmarks, in the order of kSkinLandmarkNames. The nearest
+/// vertex of each is the first.
 using SkinLandmarkVertices = std::array<std::vector<int>, kSkinLandmarkCount>;
 
-/// Returns the vertices nearest to what the landmarks lie over, on the body as it stands: the
-/// centre of the AC joint, the tip of the acromion (three vertices, whose mean is meant), the
-/// middle of the clavicle, the middle of the scapular spine, and the side of the arm that looks
-/// away from the body, at a third of its length. Throws std::invalid_argument for a surface with
-/// too few vertices.
+/// Returns the vertices nearest to the five places below the landmarks, on the body in its present
+/// pose. The places are the centre of the AC joint, the tip of the acromion (three vertices, whose
+/// mean is the landmark), the middle of the clavicle, the middle of the scapular spine, and the
+/// lateral side of the arm at a third of its length. Throws std::invalid_argument if the surface
+/// has too few vertices.
 [[nodiscard]] SkinLandmarkVertices FindSkinLandmarks(const PosedBody& body, Side side);
 
 }  // namespace girdle

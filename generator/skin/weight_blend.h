@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// Shares of bones out of those of others.
+/// Computes bones' shares from other shares.
 #pragma once
 
 #include <vector>
@@ -12,15 +12,15 @@
 
 namespace girdle {
 
-/// Returns (1 - t) a + t b, for the same bones and vertices.
+/// Returns (1 - t) a + t b. Precondition: both have the same bones and vertices.
 [[nodiscard]] SkinWeights Mixed(const SkinWeights& a, const SkinWeights& b, double t);
 
-/// Returns shares that have moved `steps` times half the way to the mean of the vertices around
-/// each: what is left of creases between bones goes.
+/// Returns smoothed shares: `steps` times, the shares of each vertex move half the way to the mean
+/// of its neighbours' shares. This removes the rest of creases between bones.
 [[nodiscard]] SkinWeights Smoothed(const TriangleMesh& surface, SkinWeights weights, int steps);
 
-/// Returns the shares of `to` where those of `from` are known: bones that are not in `to` give
-/// theirs to the thorax, which has to be the first of both.
+/// Returns the shares of the bones `to` from known shares of the bones `from`. Bones that are not
+/// in `to` give their shares to the thorax. Precondition: the thorax is the first of both lists.
 [[nodiscard]] SkinWeights SharesOf(const std::vector<SkinBone>& to,
                                    const std::vector<SkinBone>& from, const SkinWeights& weights);
 

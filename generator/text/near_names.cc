@@ -79,7 +79,8 @@ std::optional<std::size_t> DistanceOfSlip(std::string_view typed, std::string_vi
   }
   const bool is_beginning =
       known.starts_with(typed) || (known.size() >= kShortestBeginning && typed.starts_with(known));
-  return is_beginning ? std::optional(slips) : std::nullopt;
+  // Farther than any slip: of two words that begin so, none is nearer.
+  return is_beginning ? std::optional(kLongestWord) : std::nullopt;
 }
 
 }  // namespace

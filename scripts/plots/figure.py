@@ -9,12 +9,11 @@ from dataclasses import dataclass, field
 
 @dataclass
 class NumberTable:
-    """Numbers beside a figure, as text. The first column says what a row is of."""
+    """Numbers beside a figure, as text, folded. The first column says what a row is of."""
 
     caption: str
     header: list[str]
     rows: list[list[str]]
-    folded: bool = False  # shown when asked for
 
 
 @dataclass

@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Makes the paper's figures and a page that shows them beside their numbers.
 
-Everything comes from the `girdle` program. The page appears whole or not at all: it is made in a
-folder beside the one asked for, which takes its place at the end. A folder that an earlier run has
-made is replaced as a whole.
+Everything comes from the `girdle` program. The page begins with what came out in three sentences;
+then come the plots of the rhythm, then the pictures of the skin. The page appears whole or not at
+all: it is made in a folder beside the one asked for, which takes its place at the end. A folder that
+an earlier run has made is replaced as a whole.
 """
 
 from __future__ import annotations
@@ -21,10 +22,13 @@ from pathlib import Path
 import abduction
 import axial_zero
 import elbow_path
+import outcome
 import reach
 import rhythm_maps
+import scapular_rhythm
 import scapulohumeral_rhythm
 import skin_near_ac
+import upper_body
 import velocity_jumps
 from bodies import Body, human_body, implicit_body
 from figure import Figure, NumberTable
@@ -50,7 +54,7 @@ figcaption { margin: 0.5rem 0 1rem; }
 .files { color: var(--soft); font-size: 0.9rem; }
 .scroll { overflow-x: auto; }
 table { border-collapse: collapse; font-size: 0.9rem; font-variant-numeric: tabular-nums; margin: 0 0 1rem; }
-caption { text-align: left; color: var(--soft); padding: 0.3rem 0; }
+summary { margin: 0.3rem 0; }
 th, td { text-align: right; padding: 0.15rem 0.7rem; border-bottom: 1px solid var(--line); }
 th { font-weight: 600; vertical-align: bottom; }
 th:first-child, td:first-child, td.words { text-align: left; }
@@ -77,14 +81,11 @@ def table_as_html(table: NumberTable) -> str:
             kind = "" if is_number(text) else ' class="words"'
             rows += f"<td{kind}>{html.escape(text)}</td>"
         rows += "</tr>\n"
-    text = (
-        f'<div class="scroll"><table>\n<caption>{html.escape(table.caption)}</caption>\n'
-        f"<thead><tr>{cells}</tr></thead>\n<tbody>\n{rows}</tbody>\n</table></div>\n"
+    return (
+        f"<details><summary>{html.escape(table.caption)}</summary>\n"
+        f'<div class="scroll"><table>\n<thead><tr>{cells}</tr></thead>\n<tbody>\n{rows}</tbody>\n'
+        "</table></div>\n</details>\n"
     )
-    if not table.folded:
-        return text
-    summary = html.escape(table.caption)
-    return f"<details><summary>{summary}</summary>\n{text}</details>\n"
 
 
 def figure_as_html(figure: Figure) -> str:
@@ -108,42 +109,46 @@ def figure_as_html(figure: Figure) -> str:
     return text + f"<details><summary>{title}</summary>\n<pre>{commands}</pre></details>\n</section>\n"
 
 
-def page(figures: list[Figure], version: str, notes: list[str]) -> str:
+def page(figures: list[Figure], version: str, results: list[str], notes: list[str]) -> str:
     contents = "".join(
         f'<li><a href="#{figure.name}">{html.escape(figure.title)}</a></li>\n' for figure in figures
     )
+    came_out = "".join(f"<p>{html.escape(sentence)}</p>\n" for sentence in results)
     remarks = "".join(f'<p class="missing">{html.escape(note)}</p>\n' for note in notes)
     return (
         '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
         '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
         f"{MARK}\n<title>Figures of Girdle</title>\n<style>{STYLE}</style>\n</head>\n<body>\n"
-        "<h1>Figures</h1>\n"
-        "<p>Figures 11 to 14 of Kim, Park, Jung and Han, <cite>Data-driven shoulder inverse "
-        "kinematics</cite>, made anew, and what they lack. All pictures and numbers are the output "
-        f"of <code>girdle</code> {html.escape(version)}, run in this folder by the commands below "
-        "each figure; <code>scripts/figures</code> runs them all.</p>\n"
+        f"<h1>Figures of Girdle</h1>\n{came_out}"
+        "<p>The pictures and numbers are the output of "
+        f"<code>girdle</code> {html.escape(version)}, run in this folder by the commands below each "
+        "figure. <code>scripts/figures</code> runs all of them. Figures 11 to 14 are those of Kim, "
+        "Park, Jung and Han, <cite>Data-driven shoulder inverse kinematics</cite>, made anew.</p>\n"
         f"{remarks}<ol>\n{contents}</ol>\n{''.join(map(figure_as_html, figures))}</body>\n</html>\n"
     )
 
 
-def body_figures(girdle: Girdle, body: Body, quick: bool) -> list[Figure]:
-    figures = []
+def body_figures(girdle: Girdle, body: Body, skin: skin_near_ac.SkinReport, quick: bool) -> list[Figure]:
+    say(f"upper body, {body.title}")
+    figures = [upper_body.make(girdle, body, skin, quick)]
     for camera, number in abduction.PAPERS_NUMBER.items():
         say(f"Fig. {number}, {body.title}")
         figures.append(abduction.make(girdle, body, camera, quick))
     say(f"Fig. 14, {body.title}")
-    figures.append(skin_near_ac.make(girdle, body, quick))
+    figures.append(skin_near_ac.make(girdle, body, skin, quick))
     return figures
 
 
+# In the page's order.
 PLOTS: list[tuple[str, Callable[[Girdle, bool], Figure]]] = [
+    ("scapula and clavicle", scapular_rhythm.make),
+    ("scapulohumeral rhythm", scapulohumeral_rhythm.make),
+    ("maps of published rhythms", rhythm_maps.make_distances),
+    ("map of upward rotation", rhythm_maps.make_rotation),
+    ("reach", reach.make),
+    ("axial zero", axial_zero.make),
     ("Fig. 13", elbow_path.make),
     ("jumps of velocity", velocity_jumps.make),
-    ("scapulohumeral rhythm", scapulohumeral_rhythm.make),
-    ("reach", reach.make),
-    ("map of upward rotation", rhythm_maps.make_rotation),
-    ("maps of published rhythms", rhythm_maps.make_distances),
-    ("axial zero", axial_zero.make),
 ]
 
 
@@ -154,20 +159,30 @@ def make_all(girdle: Girdle, body_folder: Path | None, notes: list[str], quick: 
     girdle.take_commands()
     makers = [implicit_body]
     if body_folder is not None:
-        makers.append(partial(human_body, folder=body_folder))
+        # The man comes first: he is easier to recognise than the solids.
+        makers.insert(0, partial(human_body, folder=body_folder))
     # First: what is wrong with a body shows before anything is drawn.
-    bodies = [(make_body(girdle), girdle.take_commands()) for make_body in makers]
+    bodies = []
+    for make_body in makers:
+        body = make_body(girdle)
+        generation = girdle.take_commands()
+        skin = skin_near_ac.verify_skin(girdle, body)
+        bodies.append((body, generation, skin, girdle.take_commands()))
+    body, _, skin, _ = bodies[0]
+    results = outcome.sentences(girdle, body, skin)
+    girdle.take_commands()
     figures = []
     for title, make in PLOTS:
         say(title)
         figures.append(make(girdle, quick))
-    for body, generation in bodies:
-        for figure in body_figures(girdle, body, quick):
-            figure.commands = generation + figure.commands
+    for body, generation, skin, verification in bodies:
+        for figure in body_figures(girdle, body, skin, quick):
+            of_the_skin = figure.name.startswith(("upper_body", "figure_14"))
+            figure.commands = [
+                *generation, *(verification if of_the_skin else []), *figure.commands
+            ]  # fmt: skip
             figures.append(figure)
-    # In the paper's order; what it lacks comes after it.
-    figures.sort(key=lambda figure: (not figure.name.startswith("figure_"), figure.name[:9]))
-    (girdle.folder / PAGE).write_text(page(figures, version, notes))
+    (girdle.folder / PAGE).write_text(page(figures, version, results, notes))
 
 
 def say(text: str) -> None:

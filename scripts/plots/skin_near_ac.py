@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Any
 
 from bodies import Body
@@ -30,6 +31,17 @@ KEPT = {"front": (0.269, 0.5, 0.369, 0.6), "back": (0.5, 0.731, 0.369, 0.6)}
 LEVEL = 0.3
 
 
+@dataclass(frozen=True)
+class SkinReport:
+    """What `girdle verify` says of the skin, with either girdle: lines by group and item."""
+
+    lines: dict[str, dict[tuple[str, str], Line]]
+
+    def value(self, motion: str, item: str) -> float:
+        """The value of one line of the group skin."""
+        return float(self.lines[motion]["skin", item]["value"])
+
+
 def pictures(girdle: Girdle, body: Body, quick: bool) -> plt.Figure:
     size = QUICK_SIZE if quick else SIZE
     panels = [
@@ -49,7 +61,7 @@ def pictures(girdle: Girdle, body: Body, quick: bool) -> plt.Figure:
     return compose(panels, columns, list(GIRDLES.values()), panel_width=2.6, level=LEVEL)
 
 
-def make(girdle: Girdle, body: Body, quick: bool) -> Figure:
+def make(girdle: Girdle, body: Body, skin: SkinReport, quick: bool) -> Figure:
     figure = Figure(
         f"figure_14_skin_near_ac_{body.name}",
         f"Fig. 14. Skin near the AC joint: {body.title}",
@@ -61,23 +73,28 @@ def make(girdle: Girdle, body: Body, quick: bool) -> Figure:
         "Four close-ups of the right shoulder in two rows, from the front and the back at 90 and "
         "120 degrees. In the upper row the shoulder rises and rounds with the arm; in the lower one "
         "it stays down, and the skin folds where the arm is hinged.",
-        skin_lines(girdle, body),
+        skin_lines(skin),
     )
     return drawn(girdle, figure, lambda: pictures(girdle, body, quick))
 
 
-def skin_lines(girdle: Girdle, body: Body) -> list[NumberTable]:
-    """What `girdle verify` says of the skin, of one girdle beside the other: a table a side."""
-    reports = {}
+def verify_skin(girdle: Girdle, body: Body) -> SkinReport:
+    lines = {}
     for motion in GIRDLES:
         words = [*body.anatomy, *([] if motion == "measured" else ["--girdle", motion])]
         # The frozen girdle has to exceed tolerances.
         report = girdle.answer("verify", body.scene, *words, may_exceed=motion == "frozen")
-        reports[motion] = {
+        lines[motion] = {
             (line["group"], line["item"]): line
             for line in report["residuals"]
             if line["group"].startswith("skin")
         }
+    return SkinReport(lines)
+
+
+def skin_lines(skin: SkinReport) -> list[NumberTable]:
+    """One girdle beside the other: a table a side."""
+    reports = skin.lines
     rows: dict[str, list[list[str]]] = {side: [] for side in SIDES}
     for key in {**reports["measured"], **reports["frozen"]}:
         lines = [reports[motion].get(key) for motion in GIRDLES]
@@ -89,14 +106,12 @@ def skin_lines(girdle: Girdle, body: Body) -> list[NumberTable]:
         row = [of]
         for of_girdle in lines:
             row += (
-                ["-", ""]
-                if of_girdle is None
-                else [significant(of_girdle["value"], 3), verdict(of_girdle)]
+                ["-", ""] if of_girdle is None else [significant(of_girdle["value"], 3), verdict(of_girdle)]
             )
         rows[side].append([*row, line["unit"], required(line)])
     header = ["of", "(a) measured", "", "(b) GH alone", "", "unit", "required"]
     return [
-        NumberTable(f"Skin lines of girdle verify, {side} side", header, lines, side != SIDES[0])
+        NumberTable(f"Skin lines of girdle verify, {side} side", header, lines)
         for side, lines in rows.items()
     ]
 

@@ -25,6 +25,7 @@ BLUE = "#0072b2"
 VERMILION = "#d55e00"
 PURPLE = "#cc79a7"
 GREY = "#777777"
+BROWN = "#8a5a00"  # their orange, darker
 
 # Of one kind of line everywhere: colour, dashes and marker differ, so that a copy in grey can be
 # read too.

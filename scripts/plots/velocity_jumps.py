@@ -21,7 +21,7 @@ VELOCITY = "velocity_deg_per_deg"
 
 def make(girdle: Girdle, quick: bool) -> Figure:
     del quick  # it is quick anyway
-    jumps = girdle.answer("continuity")["jumps"]
+    jumps = girdle.answer("smoothness")["jumps"]
     canvas, panels = plt.subplots(1, 2, figsize=(11, 4.2), sharey=True)
     for panel, over, title in zip(
         panels,

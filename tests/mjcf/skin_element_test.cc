@@ -68,7 +68,6 @@ TEST(SkinElement, IsNotThereUnlessAskedFor) {
   EXPECT_TRUE(model.All("skin").empty());
   EXPECT_TRUE(model.All("numeric").empty());
   EXPECT_TRUE(model.All("deformable").empty());
-  EXPECT_TRUE(model.All("custom").empty());
 }
 
 TEST(SkinElement, ChangesNothingElse) {

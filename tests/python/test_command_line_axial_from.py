@@ -13,7 +13,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 from conftest import Girdle, Refuses
-from reference_rhythm import DATABASE, Array, Position, multiply
+from documents import Document
+from reference_rhythm import Array, Position, multiply
 from reference_smooth import isb_humerus, turned
 
 MEASURED = ("--table", "measured")
@@ -210,11 +211,10 @@ def test_a_raise_has_no_turn_to_count(refuses: Refuses, model_path: Path) -> Non
     )  # fmt: skip
 
 
-def test_the_readmes_numbers_are_those_of_solve(girdle_fine: Girdle) -> None:
-    readme = (DATABASE.parents[1] / "README.md").read_text(encoding="utf-8")
+def test_the_documents_numbers_are_those_of_solve(girdle_fine: Girdle) -> None:
     found = re.search(
         r"axial rotation of (-?\d+) at \(elevation (\d+), plane (\d+)\) and (-?\d+) at \((\d+), (\d+)\)",
-        readme,
+        Document("generator/kinematics/README.md").prose,
     )
     assert found
     for axial, elevation, plane in (found.groups()[:3], found.groups()[3:]):

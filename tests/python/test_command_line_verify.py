@@ -307,7 +307,7 @@ def test_an_exact_arm_goes_where_it_is_told_to(girdle: Girdle, generated: Path) 
 def test_how_far_the_tables_arm_misses_the_command_is_stated(
     girdle: Girdle, models: Callable[..., Path]
 ) -> None:
-    """By 22.9 deg of plane, and more below 30: so the README says."""
+    """By 22.9 deg of plane, and more below 30: so generator/kinematics/README.md says."""
     _, report = verify(girdle, models(*PUBLISHED) / SCENE_FILE)
     lines = lines_of(report, "closure")
     high, low = lines["plane, from elevation 30"], lines["plane, below elevation 30"]

@@ -34,11 +34,13 @@ FAILED = 1
 NOTE = "The man is missing: <no network> & no body"
 LEFT_OVER = "of_an_earlier_run.png"
 PICTURED = [
+    "upper_body_implicit",
     "figure_11_abduction_front_implicit",
     "figure_12_abduction_back_implicit",
     "figure_14_skin_near_ac_implicit",
 ]
 PLOTTED = [
+    "scapular_rhythm",
     "figure_13_elbow_path",
     "velocity_jumps",
     "scapulohumeral_rhythm",
@@ -53,6 +55,10 @@ ONE_DECIMAL = 0.05 + 1e-9
 TWO_DECIMALS = 0.005 + 1e-9
 TWO_DIGITS_SHARE = 0.051
 THREE_DIGITS_SHARE = 0.0051
+
+
+# Of a report of `girdle verify`.
+Lines = list[dict[str, Any]]
 
 
 # --- The page as a reader has it -----------------------------------------------------------------
@@ -101,6 +107,7 @@ class Page(HTMLParser):
         elif tag == "a":
             self.section.links.append(given["href"])
         elif tag == "table":
+            assert "details" in self._open, "a table that is not folded"
             self.section.tables.append([])
         elif tag == "tr":
             self.section.tables[-1].append([])
@@ -160,9 +167,7 @@ def page(figures: Path) -> Page:
 
 
 @pytest.fixture(scope="session")
-def figures_without_gl(
-    program: Path, figures: Path, tmp_path_factory: pytest.TempPathFactory
-) -> Path:
+def figures_without_gl(program: Path, figures: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The same of a machine that cannot draw, in the place of an earlier page."""
     out = tmp_path_factory.mktemp("without_gl") / "figures"
     out.mkdir()
@@ -216,6 +221,7 @@ def test_a_figure_is_there_as_svg_with_its_text_as_text(figures: Path, name: str
     [
         ("figure_13_elbow_path", ["(mm)", "(mm/deg)", "(1/m)", "(deg)"]),
         ("velocity_jumps", ["(deg/deg)"]),
+        ("scapular_rhythm", ["humeral elevation (deg)", "more upward rotation (deg) →"]),
         ("scapulohumeral_rhythm", ["(deg)", "glenohumeral : scapulothoracic"]),
         ("reach", ["(deg)"]),
         ("map_of_upward_rotation", ["(deg)"]),
@@ -239,9 +245,7 @@ def test_the_page_shows_a_figure_with_its_words_and_commands(page: Page, name: s
     assert all(len(row) == len(table[0]) for table in section.tables for row in table)
 
 
-def test_every_file_that_the_page_names_is_there_and_nothing_is_fetched(
-    figures: Path, page: Page
-) -> None:
+def test_every_file_that_the_page_names_is_there_and_nothing_is_fetched(figures: Path, page: Page) -> None:
     sections = page.sections.values()
     pictures = [picture["src"] for section in sections for picture in section.pictures]
     links = [link for section in sections for link in section.links if not link.startswith("#")]
@@ -252,6 +256,13 @@ def test_every_file_that_the_page_names_is_there_and_nothing_is_fetched(
 def test_the_contents_lead_to_every_figure(page: Page) -> None:
     places = [link[1:] for link in page.sections[""].links if link.startswith("#")]
     assert places == [name for name in page.sections if name]
+
+
+def test_the_rhythm_comes_before_the_skin(page: Page) -> None:
+    figures = [name for name in page.sections if name]
+    assert figures[0] == "scapular_rhythm"
+    assert figures[len(PLOTTED)] == "upper_body_implicit"
+    assert sorted(figures[: len(PLOTTED)]) == sorted(PLOTTED)
 
 
 def test_figures_are_the_same_bytes_again(figures: Path, figures_without_gl: Path) -> None:
@@ -292,8 +303,7 @@ def test_the_corner_of_the_elbows_path_is_that_of_secants_ever_shorter(
 ) -> None:
     """By another step and formula than the figure's."""
     before, at, behind = (
-        elbow_mm(run_program, elevation, plane, interpolation)
-        for plane in ("39.999", "40", "40.001")
+        elbow_mm(run_program, elevation, plane, interpolation) for plane in ("39.999", "40", "40.001")
     )
     first, second = at - before, behind - at
     cosine = first @ second / np.linalg.norm(first) / np.linalg.norm(second)
@@ -321,9 +331,7 @@ def test_jumps_of_velocity_are_those_of_continuity(page: Page, run_program: RunP
         assert [float(text) for text in row] == pytest.approx(expected, rel=TWO_DIGITS_SHARE)
 
 
-def test_axial_rotations_of_the_rhythm_are_those_of_solve(
-    page: Page, run_program: RunProgram
-) -> None:
+def test_axial_rotations_of_the_rhythm_are_those_of_solve(page: Page, run_program: RunProgram) -> None:
     header, *rows = page.sections["axial_zero"].tables[0]
     planes = [name.removeprefix("plane ") for name in header[1:]]
     shown = 0
@@ -337,6 +345,87 @@ def test_axial_rotations_of_the_rhythm_are_those_of_solve(
                 assert float(text) == pytest.approx(expected, abs=ONE_DECIMAL)
                 shown += 1
     assert shown > 35
+
+
+def numbers_in(text: str) -> list[float]:
+    return [float(word) for word in re.findall(r"(?<![\w.])\d+\.\d", text)]
+
+
+def test_the_page_begins_with_how_far_the_bones_turn(page: Page, run_program: RunProgram) -> None:
+    poses = ("--elevation", "30:120:90", "--plane", "40")
+    low, high = csv.DictReader(io.StringIO(run_program("solve", *poses)))
+
+    def upward_and_tilt_deg(row: dict[str, str]) -> list[float]:
+        matrix = yxz_deg(row, "sc") @ yxz_deg(row, "ac")
+        # R = Ry Rx Rz: -sin(x) in its second row, third column; z from its second row.
+        radians = np.arcsin(matrix[1, 2]), np.arctan2(matrix[1, 0], matrix[1, 1])
+        return [float(angle) for angle in np.degrees(radians)]
+
+    turned = np.subtract(upward_and_tilt_deg(high), upward_and_tilt_deg(low))
+    clavicle = [float(low[name]) - float(high[name]) for name in ("sc_elevation_deg", "sc_protraction_deg")]
+    first, _, _ = opening(page)
+    assert numbers_in(first) == pytest.approx([*turned, *clavicle], abs=ONE_DECIMAL)
+
+
+def test_the_page_says_how_far_other_rhythms_are(page: Page, run_program: RunProgram) -> None:
+    words = ("--elevation", "30:120:5", "--plane", "0:90:10", "--json")
+    rhythms = json.loads(run_program("compare", *words))["rhythms"]
+    apart = {
+        rhythm["name"]: (part["in_table"]["rms_deg"], abs(part["in_table"]["largest_deg"]))
+        for rhythm in rhythms
+        for part in rhythm["differences"]
+        if part["of"] == "st_upward_rotation"
+    }
+    _, second, _ = opening(page)
+    (closest,) = re.findall("the closest of the other rhythms, (.*), misses", second)
+    assert numbers_in(second) == pytest.approx([*apart["frozen girdle"], *apart[closest]], abs=ONE_DECIMAL)
+    others = {name: rms for name, (rms, _) in apart.items() if name not in ("Girdle", "frozen girdle")}
+    assert others[closest] == min(others.values())
+
+
+def test_the_page_says_how_the_skin_rises(page: Page, skin_lines: tuple[Lines, Lines]) -> None:
+    item = "acromion's skin rises, plane 0, right"
+    measured, frozen = (next(line["value"] for line in lines if line["item"] == item) for lines in skin_lines)
+    _, _, third = opening(page)
+    assert numbers_in(third) == pytest.approx([abs(measured), abs(frozen)], abs=ONE_DECIMAL)
+    assert re.findall("rises|sinks", third) == ["rises" if mm >= 0 else "sinks" for mm in (measured, frozen)]
+    shown = table_by_row(page, "upper_body_implicit")["acromion's skin rises"]
+    assert [float(text) for text in shown] == pytest.approx([measured, frozen], abs=ONE_DECIMAL)
+
+
+def opening(page: Page) -> list[str]:
+    """The sentences under the page's heading."""
+    _, words = page.sections[""].text.split("Figures of Girdle\n")[-2:]
+    return words.split("\n")[:3]
+
+
+def test_angles_in_the_thorax_are_those_of_the_table_and_of_compare(
+    page: Page, tmp_path: Path, run_program: RunProgram
+) -> None:
+    lines = (ROOT / "data" / "ludewig2009.csv").read_text().splitlines()
+    measured = list(csv.DictReader(line for line in lines if not line.startswith("#")))
+    out = tmp_path / "map.csv"
+    run_program("compare", "--elevation", "30:120:30", "--plane", "0:90:10", "--out", str(out))
+    rhythm = [row for row in csv.DictReader(out.open()) if row["rhythm"] == "Girdle"]
+    signs = {
+        "st_upward_rotation_deg": -1,
+        "st_tilt_deg": 1,
+        "st_internal_rotation_deg": 1,
+        "sc_elevation_deg": -1,
+        "sc_protraction_deg": -1,
+    }
+
+    def plotted(rows: list[dict[str, str]], plane: str, elevation: str) -> list[float]:
+        (row,) = (row for row in rows if (row["plane_deg"], row["elevation_deg"]) == (plane, elevation))
+        return [sign * float(row[column]) for column, sign in signs.items()]
+
+    shown = table_by_row(page, "scapular_rhythm")
+    assert len(shown) == 12
+    for where, row in shown.items():
+        plane, elevation = where.split(", ")
+        values = [float(text) for text in row]
+        assert values[0::2] == pytest.approx(plotted(rhythm, plane, elevation), abs=ONE_DECIMAL)
+        assert values[1::2] == pytest.approx(plotted(measured, plane, elevation), abs=ONE_DECIMAL)
 
 
 def test_scapulohumeral_ratios_are_those_of_compare(page: Page, run_program: RunProgram) -> None:
@@ -388,18 +477,14 @@ def test_upward_rotation_on_the_map_is_that_of_compare(page: Page, run_program: 
 
 
 def yxz_deg(row: dict[str, str], joint: str) -> np.ndarray:
-    y, x, z = (
-        np.radians(float(text)) for name, text in row.items() if name.startswith(f"{joint}_")
-    )
+    y, x, z = (np.radians(float(text)) for name, text in row.items() if name.startswith(f"{joint}_"))
     about_y = [[np.cos(y), 0, np.sin(y)], [0, 1, 0], [-np.sin(y), 0, np.cos(y)]]
     about_x = [[1, 0, 0], [0, np.cos(x), -np.sin(x)], [0, np.sin(x), np.cos(x)]]
     about_z = [[np.cos(z), -np.sin(z), 0], [np.sin(z), np.cos(z), 0], [0, 0, 1]]
     return np.array(about_y) @ np.array(about_x) @ np.array(about_z)
 
 
-def test_differences_of_published_rhythms_are_those_of_compare(
-    page: Page, run_program: RunProgram
-) -> None:
+def test_differences_of_published_rhythms_are_those_of_compare(page: Page, run_program: RunProgram) -> None:
     shown = table_by_row(page, "maps_of_published_rhythms")
     words = ("--elevation", "0:180:15", "--plane", "-105:135:15", "--json")
     rhythms = json.loads(run_program("compare", *words))["rhythms"]
@@ -414,9 +499,6 @@ def test_differences_of_published_rhythms_are_those_of_compare(
             expected = [part[of] for part in parts for of in ("rms_deg", "largest_deg")]
             assert [float(text) for text in row] == pytest.approx(expected, abs=ONE_DECIMAL)
     assert seen == 5
-
-
-Lines = list[dict[str, Any]]
 
 
 def test_skin_lines_are_those_of_verify(page: Page, skin_lines: tuple[Lines, Lines]) -> None:
@@ -535,4 +617,3 @@ def test_the_script_refuses_a_command_line_that_it_does_not_know(
     assert finished.returncode == REFUSED
     assert "Usage: scripts/figures" in finished.stderr
     assert contents(tmp_path) == {}
-

@@ -43,6 +43,7 @@ KINDS = {
     "contact/pair": "contact pair",
     "deformable/skin": "skin",
     "custom/numeric": "numeric",
+    "custom/text": "text",
 }
 
 

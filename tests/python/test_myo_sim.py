@@ -25,10 +25,10 @@ import mujoco
 import numpy as np
 import pytest
 from conftest import Girdle, Refuses
+from documents import Document
 
 ROOT = Path(__file__).resolve().parents[2]
 PEERS = ROOT / "build" / "peers"
-README = (ROOT / "README.md").read_text(encoding="utf-8")
 MAPPING = ROOT / "data" / "mappings" / "myo_sim.csv"
 
 ARM_FILE = "arm.xml"
@@ -38,7 +38,7 @@ PEERS_VERSION = "3.17.0"
 PEERS_MUJOCO = ROOT / "build" / "engine" / f"mujoco-{PEERS_VERSION}"
 ONE_POSITION = ("--elevation", "60:60:1", "--plane", "0:0:1")
 
-# Added to what the README has: the same model as its own MuJoCo compiled it, and its bodies in
+# Added to what data/README.md has: the same model as its own MuJoCo compiled it, and its bodies in
 # some pose.
 CONTINUE = f"""
 import json
@@ -72,12 +72,11 @@ class Arm:
 
 @pytest.fixture(scope="session")
 def arm(tmp_path_factory: pytest.TempPathFactory) -> Arm:
-    """The arm as the README says to save it."""
+    """The arm as data/README.md says to save it."""
     if not (PEERS / "myo_sim").is_dir():
         pytest.fail(f"{PEERS} is not there. Run scripts/setup --python", pytrace=False)
     folder = tmp_path_factory.mktemp("myo_sim")
-    blocks = re.findall(r"```python\n(.*?)```", README, re.S)
-    (save,) = (text for text in blocks if "myo_sim" in text)
+    save = Document("data/README.md").block("python", "myo_sim")
     finished = subprocess.run(
         [sys.executable, "-c", save + CONTINUE],
         cwd=folder,
@@ -266,22 +265,6 @@ def test_myo_sim_is_as_far_from_the_measured_rhythm_as_the_formula_of_its_girdle
         assert lines[f"{item}, rms"] == pytest.approx(said["rms_deg"], abs=off_deg), item
         largest = pytest.approx(said["largest_deg"], abs=2 * off_deg)
         assert lines[f"{item}, largest"] == largest, item
-
-
-def test_the_arm_of_the_readme_has_the_lines_of_the_program(girdle: Girdle, arm: Arm) -> None:
-    printed = girdle("verify", arm.path, "--mapping", MAPPING).text.splitlines()
-    shown = re.search(
-        r"`girdle verify arm\.xml --mapping [^`]*` then prints[^\n]*\n\n```\n(.*?)\n```",
-        README,
-        re.S,
-    )
-    assert shown
-    lines = [line for line in shown[1].splitlines() if line not in ("...", "")]
-    assert len(lines) > 10
-    for line in lines:
-        assert line in printed, line
-    assert lines[-1].startswith("As this arm is raised")
-    assert printed[-1] == lines[-1]
 
 
 def test_a_model_that_another_mujoco_compiled_is_refused(

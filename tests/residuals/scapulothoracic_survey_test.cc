@@ -388,7 +388,7 @@ TEST_F(SurveyGirdleTest, TheSentenceSaysHowFarTheScapulaTurns) {
 
 TEST_F(SurveyGirdleTest, TheJsonHasEveryPosition) {
   const ScapulothoracicSurvey survey = Survey(FormulaModel(), FormulaMapping());
-  const nlohmann::json json = nlohmann::json::parse(SurveyAsJson(survey));
+  const nlohmann::json json = nlohmann::json::parse(SurveyIn({ReportForm::kJson, {}}, survey));
   EXPECT_EQ(json["sentence"], survey.sentence);
   EXPECT_EQ(json["residuals"].size(), survey.report.residuals.size());
   ASSERT_EQ(json["positions"].size(), survey.positions.size());

@@ -5,6 +5,12 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
 namespace girdle::near_names_test {
 namespace {
 
@@ -32,6 +38,31 @@ TEST(IsNearly, IsFalseOfTheNameItselfAndOfOthers) {
   EXPECT_FALSE(IsNearly("frame", "time_s"));
   EXPECT_FALSE(IsNearly("y_m", "x_m"));
   EXPECT_FALSE(IsNearly("gh_elevation_deg", "elevation_deg"));
+}
+
+constexpr std::array<std::string_view, 5> kVerbs = {"solve", "simulate", "smoothness",
+                                                    "smooth-table", "fit-thorax"};
+
+TEST(NearestWord, IsTheWordThatIsASlipAway) {
+  for (const auto& [typed, meant] :
+       {std::pair("slove", "solve"), std::pair("solv", "solve"), std::pair("Simulate", "simulate"),
+        std::pair("simulat", "simulate"), std::pair("smoothnes", "smoothness"),
+        std::pair("smooth_table", "smooth-table"), std::pair("fit", "fit-thorax"),
+        std::pair("fitthroax", "fit-thorax"), std::pair("simualte", "simulate")}) {
+    EXPECT_EQ(NearestWord(typed, kVerbs), meant) << typed;
+  }
+}
+
+TEST(NearestWord, IsNothingIfNoWordOrTwoAreNear) {
+  for (const char* const typed : {"", "s", "thorax", "solution", "smooth", "verify"}) {
+    EXPECT_EQ(NearestWord(typed, kVerbs), std::nullopt) << typed;
+  }
+  EXPECT_EQ(NearestWord(std::string(1'000'000, 's'), kVerbs), std::nullopt);
+}
+
+TEST(DidYouMean, IsASentenceOrNothing) {
+  EXPECT_EQ(DidYouMean("slove", kVerbs), "Did you mean 'solve'? ");
+  EXPECT_EQ(DidYouMean("verify", kVerbs), "");
 }
 
 }  // namespace

@@ -236,10 +236,10 @@ TEST(RoundedText, OfTheLargestNumberIsWhole) {
 }
 
 // What std::to_chars makes of it, without the zeros at the end and without a sign before zero.
-std::string ToCharsRounded(double number) {
+std::string ToCharsRounded(double number, int decimals = 12) {
   std::array<char, 400> buffer{};
   const auto written = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number,
-                                     std::chars_format::fixed, 12);
+                                     std::chars_format::fixed, decimals);
   std::string text(buffer.data(), written.ptr);
   if (text.find('.') != std::string::npos) {
     while (text.back() == '0') text.pop_back();
@@ -248,9 +248,9 @@ std::string ToCharsRounded(double number) {
   return text == "-0" ? "0" : text;
 }
 
-std::string AppendedRounded(double number) {
+std::string AppendedRounded(double number, int decimals = 12) {
   std::string text = "1 ";
-  AppendRounded(text, number);
+  AppendRounded(text, number, decimals);
   EXPECT_EQ(text.substr(0, 2), "1 ");
   return text.substr(2);
 }
@@ -267,6 +267,21 @@ TEST(AppendRounded, WritesWhatToCharsWritesForManyAngles) {
   for (int i = 0; i < 200'000; ++i) {
     const double number = angle_deg(random);
     ASSERT_EQ(AppendedRounded(number), ToCharsRounded(number));
+  }
+}
+
+TEST(AppendRounded, WritesWhatToCharsWritesWithAnyDecimals) {
+  std::mt19937_64 random(20090816);
+  std::uniform_real_distribution<double> angle_deg(-1000, 1000);
+  for (int decimals = 0; decimals <= 15; ++decimals) {
+    for (int i = 0; i < 5000; ++i) {
+      const double number = std::ldexp(angle_deg(random), -(i % 40));
+      ASSERT_EQ(AppendedRounded(number, decimals), ToCharsRounded(number, decimals)) << decimals;
+    }
+    // Exact halves of the last decimal, and a number that is rounded up to 1000.
+    for (const double number : {0.5, 2.5, -0.5, 0.25, 0.375, 999.99999999999997, 999.5}) {
+      ASSERT_EQ(AppendedRounded(number, decimals), ToCharsRounded(number, decimals)) << decimals;
+    }
   }
 }
 

@@ -34,8 +34,6 @@ constexpr std::array<OutputColumns<Step, Options>, 3> kColumns = {{
      }},
 }};
 
-void AppendWhole(std::string& text, double number) { text += RoundedText(number, 0); }
-
 constexpr Step kStep = {0.25, {1.5, -2}, true};
 
 TEST(ColumnName, HasTheUnitBehindTheStem) {
@@ -61,7 +59,7 @@ TEST(WrittenColumns, LeaveOutWhatTheOutputDoesNotHave) {
 }
 
 TEST(WrittenColumns, WriteNumbersAsTheyAreTold) {
-  const WrittenColumns<Step, AppendWhole> columns(kColumns, Options{true});
+  const WrittenColumns<Step, RoundedNumbers> columns(kColumns, Options{true}, {0});
   std::string row;
   columns.Append(row, {0.75, {1.2, -2.2}, false});
   EXPECT_EQ(row, "1,1,-2,rests");

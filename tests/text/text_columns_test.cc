@@ -38,5 +38,31 @@ TEST(TextColumns, EndNoLineInBlanks) {
             "1.25\n");
 }
 
+TEST(WrappedText, BreaksLinesAtBlanks) {
+  EXPECT_EQ(WrappedText("a shoulder moves as measured", 12), "a shoulder\nmoves as\nmeasured");
+  EXPECT_EQ(WrappedText("a shoulder moves", 12, 2), "a shoulder\n  moves");
+}
+
+TEST(WrappedText, KeepsLineEndsAndExamples) {
+  EXPECT_EQ(WrappedText("Examples:\n  girdle solve --in poses.csv\n\nend", 12),
+            "Examples:\n  girdle solve --in poses.csv\n\nend");
+}
+
+TEST(WrappedText, KeepsAWordThatIsWiderThanALine) {
+  EXPECT_EQ(WrappedText("of glenohumeral joints", 6), "of\nglenohumeral\njoints");
+}
+
+TEST(LabelledText, PutsTheTextInItsColumn) {
+  EXPECT_EQ(LabelledText("--plane", "plane of elevation", 2, 12, 24),
+            "  --plane   plane of\n"
+            "            elevation\n");
+}
+
+TEST(LabelledText, PutsALongLabelOnALineOfItsOwn) {
+  EXPECT_EQ(LabelledText("--elevation DEG", "humeral", 2, 12, 24),
+            "  --elevation DEG\n"
+            "            humeral\n");
+}
+
 }  // namespace
 }  // namespace girdle::text_columns_test
