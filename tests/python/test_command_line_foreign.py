@@ -112,7 +112,7 @@ def test_the_report_ends_with_what_the_figures_allow_to_say(
     assert head[1] == f"kind    right, mapped by {mapping}, moved by its joints"
     assert head[2] == "rhythm  interpolation smooth, closure exact, range whole, table smoothed"
     # 0.3 of 90 degrees.
-    assert printed.splitlines()[-2].startswith(
+    assert printed.splitlines()[-1].startswith(
         "As this arm is raised from 30 to 120 degrees in plane 0, its scapula turns upward by 27 "
         "degrees, the measured one by "
     )
