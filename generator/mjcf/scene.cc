@@ -77,48 +77,52 @@ std::string SceneXml(const std::string& model_file, const Anatomy& anatomy, Side
       .Set("extent", RoundedLength_m(view.scale * kExtent_m));
   XmlElement visual = root.Add("visual");
   visual.Add("headlight")
-      .Set("diffuse", std::array{0.5, 0.5, 0.5})
-      .Set("ambient", std::array{0.35, 0.35, 0.35})
+      .Set("diffuse", std::array{0.4, 0.4, 0.4})
+      .Set("ambient", std::array{0.38, 0.38, 0.38})
       .Set("specular", std::array{0.0, 0.0, 0.0});
-  visual.Add("rgba").Set("haze", std::array{0.68, 0.73, 0.78, 1.0});
   // A viewer starts where it looks at the arm from its own side, in front.
   visual.Add("global").Set("azimuth", sides == Sides::kLeft ? 215 : 145).Set("elevation", -15);
   XmlElement asset = root.Add("asset");
   asset.Add("texture")
       .Set("type", "skybox")
-      .Set("builtin", "gradient")
-      .Set("rgb1", std::array{0.85, 0.89, 0.93})
-      .Set("rgb2", std::array{0.45, 0.52, 0.6})
-      .Set("width", 256)
-      .Set("height", 1536);
+      .Set("builtin", "flat")
+      .Set("rgb1", std::array{0.93, 0.94, 0.95})
+      .Set("width", 64)
+      .Set("height", 384);
   asset.Add("texture")
       .Set("name", "floor")
       .Set("type", "2d")
       .Set("builtin", "checker")
-      .Set("rgb1", std::array{0.62, 0.64, 0.66})
-      .Set("rgb2", std::array{0.56, 0.58, 0.6})
+      .Set("rgb1", std::array{0.8, 0.81, 0.82})
+      .Set("rgb2", std::array{0.76, 0.77, 0.78})
       .Set("width", 256)
       .Set("height", 256);
   asset.Add("material")
       .Set("name", "floor")
       .Set("texture", "floor")
       .Set("texuniform", "true")
-      .Set("texrepeat", std::array{2.0, 2.0});
+      .Set("texrepeat", std::array{2.0, 2.0})
+      .Set("specular", 0.0);
   XmlElement world = root.Add("worldbody");
+  // From above and in front; directional, so that the ground is as bright everywhere.
   world.Add("light")
+      .Set("directional", "true")
       .Set("pos", Vector3{1.5, -1.0, 3.0})
       .Set("dir", Vector3{-0.5, 0.3, -0.8})
-      .Set("diffuse", std::array{0.5, 0.5, 0.5});
+      .Set("diffuse", std::array{0.45, 0.45, 0.45});
   // Fills the back in, where the scapula is.
   world.Add("light")
+      .Set("directional", "true")
       .Set("pos", Vector3{-1.5, 1.2, 2.6})
       .Set("dir", Vector3{0.6, -0.5, -0.6})
-      .Set("diffuse", std::array{0.35, 0.35, 0.35})
+      .Set("diffuse", std::array{0.3, 0.3, 0.3})
       .Set("castshadow", "false");
+  // A place to stand on, with an end: an endless plane has a horizon, which cuts a picture in half.
+  constexpr double kGround_m = 1.5;
   world.Add("geom")
       .Set("name", "floor")
       .Set("type", "plane")
-      .Set("size", Vector3{0, 0, 0.05})
+      .Set("size", Vector3{kGround_m, kGround_m, 0.05})
       .Set("material", "floor");
   // A camera looks along its -z; the first three numbers are its x (right), the others its y (up).
   WriteCamera(world, view, "front", {1, 0, 0}, {0, 1, 0, 0, 0, 1});

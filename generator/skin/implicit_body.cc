@@ -40,8 +40,8 @@ constexpr Muscle kMuscles[] = {
     // Sternocleidomastoid.
     {{kT, {-8, 8, 16}, 6}, {kT, {-72, 128, 44}, 13}},
     // Trapezius: the neck's slope in two strands, then its middle and lower parts.
-    {{kT, {-84, 88, 34}, 20}, {kC, {-8, 2, 120}, 8}},
-    {{kT, {-98, 84, 26}, 26}, {kS, {-8, -10, -14}, 7}},
+    {{kT, {-84, 104, 34}, 24}, {kC, {-10, -4, 112}, 9}},
+    {{kT, {-96, 100, 28}, 30}, {kS, {-10, -14, -14}, 8}},
     {{kT, {-106, 52, 22}, 25}, {kS, {-20, -16, -46}, 8}},
     {{kT, {-128, 8, 24}, 24}, {kS, {-10, -10, -100}, 14}},
     {{kT, {-136, -110, 20}, 18}, {kS, {-4, -20, -118}, 15}},
@@ -108,13 +108,22 @@ constexpr Mass kTrunk[] = {
     {{-58, -400, 0}, {86, 210, 142}},  // belly
     {{-64, -20, 0}, {64, 64, 92}},     // between the shoulders
 };
-struct Neck {
-  Vector3 place_mm;
-  double radius_mm;
+// The brow and the back of the head: with it the trunk is as high above the jugular notch as the
+// rest of a person's stature (kJugularNotchShare).
+constexpr Mass kCranium = {{-52, 214, 0}, {98, 94, 77}};
+// Round cones in the median plane, thorax frame [mm].
+struct MedianCone {
+  Vector3 from_mm;
+  double from_radius_mm;
+  Vector3 to_mm;
+  double to_radius_mm;
 };
-constexpr Neck kThroat = {{-76, 10, 0}, 54};
-constexpr Neck kJaw = {{-56, 150, 0}, 51};
-constexpr double kNeckCut_mm = 146;
+constexpr MedianCone kNeckAndFace[] = {
+    {{-76, 10, 0}, 54, {-66, 165, 0}, 47},   // neck
+    {{-28, 196, 0}, 62, {-4, 128, 0}, 42},   // face
+    {{-32, 126, 0}, 40, {14, 110, 0}, 22},   // jaw and chin
+    {{36, 202, 0}, 7, {46, 174, 0}, 9},     // nose
+};
 constexpr double kWaistCut_mm = -390;
 // Where the arm of a side without one ends, humerus frame.
 constexpr double kArmCut_mm = -105;
@@ -157,14 +166,16 @@ class BodyBuilder {
     for (const Mass& mass : kTrunk) {
       solids_.ellipsoids.push_back({mass.center_mm * mm, mass.radii_mm * mm});
     }
-    Add(kThroat.place_mm * mm, kThroat.radius_mm * mm, kJaw.place_mm * mm, kJaw.radius_mm * mm);
+    solids_.ellipsoids.push_back({kCranium.center_mm * mm, kCranium.radii_mm * mm});
+    for (const MedianCone& cone : kNeckAndFace) {
+      Add(cone.from_mm * mm, cone.from_radius_mm * mm, cone.to_mm * mm, cone.to_radius_mm * mm);
+    }
     const auto median = [this](Landmark landmark) {
       return InMedianPlane(body_.anatomy.landmark_m(landmark));
     };
     const double cover_m = kCover_mm * mm;
     Add(median(Landmark::kC7), cover_m, median(Landmark::kT8), cover_m);
     Add(median(Landmark::kIJ), cover_m, median(Landmark::kPX), cover_m);
-    solids_.cuts.push_back({{0, kNeckCut_mm * mm, 0}, glm::normalize(Vector3{-0.25, 1, 0})});
     solids_.cuts.push_back({{0, kWaistCut_mm * mm, 0}, {0, -1, 0}});
   }
 
