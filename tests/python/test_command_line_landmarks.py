@@ -97,7 +97,7 @@ def test_landmarks_are_where_bones_hung_from_each_other_have_them(
         assert answer["landmarks_mm"][point] == pytest.approx(expected[point], abs=AGREEMENT_MM)
 
 
-def test_the_resting_shoulder_has_its_landmarks_too(girdle_fine: Girdle) -> None:
+def test_the_relaxed_shoulder_has_its_landmarks_too(girdle_fine: Girdle) -> None:
     answer = json.loads(girdle_fine("solve", "--posture", "relaxed", "--landmarks", "--json").text)
     expected = expected_mm(answer["angles_deg"])
     for point in POINTS:

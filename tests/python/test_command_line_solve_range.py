@@ -491,7 +491,7 @@ SMOOTH_POSES_DEG = [(71.5, 12.0), (23.0, 50.0), (5.0, 70.0), (140.0, 20.0), (50.
 SMOOTH_POSES_DEG += [(100.0, 120.0), (165.0, 30.0)]
 
 
-def test_rates_stand_behind_all_other_columns(girdle_fine: Girdle) -> None:
+def test_derivatives_stand_behind_all_other_columns(girdle_fine: Girdle) -> None:
     poses = b"elevation_deg,plane_deg\n60,30\n"
     plain = girdle_fine("solve", "--in", "-", stdin=poses).text.splitlines()
     rates = girdle_fine("solve", "--in", "-", "--derivatives", stdin=poses).text.splitlines()
@@ -617,7 +617,7 @@ def test_an_angle_at_the_end_of_its_range_stays_there(
     assert (found["by_elevation"], found["by_plane"]) == pytest.approx((0, 0), abs=ROUNDING_DEG)
 
 
-def test_the_text_has_a_table_of_rates(girdle_fine: Girdle) -> None:
+def test_the_text_has_a_table_of_derivatives(girdle_fine: Girdle) -> None:
     plain = girdle_fine("solve", *words(60, 30)).text
     text = girdle_fine("solve", *words(60, 30), "--derivatives").text
     assert text.startswith(plain)
@@ -631,7 +631,7 @@ def test_the_text_has_a_table_of_rates(girdle_fine: Girdle) -> None:
         )
 
 
-def test_without_rates_there_are_no_derivatives(girdle_fine: Girdle) -> None:
+def test_derivatives_are_there_only_if_they_are_asked_for(girdle_fine: Girdle) -> None:
     assert "derivatives" not in solve(girdle_fine, 60, 30)
 
 
@@ -639,7 +639,7 @@ def test_without_rates_there_are_no_derivatives(girdle_fine: Girdle) -> None:
 @pytest.mark.parametrize(
     "poses", [("--elevation=60", "--plane=30"), ("--in", "-"), ("--elevation=30:60:5", "--plane=0")]
 )
-def test_rates_need_an_interpolation_that_has_them(
+def test_derivatives_need_an_interpolation_that_has_them(
     refuses: Refuses, poses: tuple[str, ...], interpolation: str
 ) -> None:
     because = ("--derivatives", f"{interpolation} has no derivatives", "--interpolation smooth")
