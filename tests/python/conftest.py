@@ -135,6 +135,9 @@ def girdle(program: Path, tmp_path: Path) -> Girdle:
     return run
 
 
+# For tests that compare more closely than the six decimals that `solve` writes by itself.
+TWELVE_DIGITS = ("--digits", "12")
+
 # What standard error says after a file of commands, and of each file that was written.
 TALLY = re.compile(
     r"(girdle: .+: \d+ (row|simulated state)s?, \d+ clamped( \(.+\))?, \d+ modelled( \(.+\))?"

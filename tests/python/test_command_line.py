@@ -19,9 +19,9 @@ TABLE_OF_POSES = ("solve", "--in", "poses.csv")
 RAISE = ("simulate", SCENE, "--elevation", "15:20", "--seconds", "0.1")
 VERIFY = ("verify", SCENE)
 GENERATE = ("generate", "--out", "new_model")
-CONTINUITY = ("smoothness", "--interpolation", "slerp", "--closure", "table")
+SMOOTHNESS = ("smoothness", "--interpolation", "slerp", "--closure", "table")
 COMPARE = ("compare", "--elevation", "30:120:30", "--plane", "0:90:45")
-DESTEP = ("smooth-table", "--in", str(DATABASE), "--out", "smooth.csv")
+SMOOTH_TABLE = ("smooth-table", "--in", str(DATABASE), "--out", "smooth.csv")
 
 POSES = "elevation_deg,plane_deg\n23,50\n"
 
@@ -33,7 +33,7 @@ def commands(*rows: Command) -> pytest.MarkDecorator:
 
 
 every_verb = commands(
-    ONE_POSE, TABLE_OF_POSES, RAISE, VERIFY, GENERATE, COMPARE, CONTINUITY, DESTEP
+    ONE_POSE, TABLE_OF_POSES, RAISE, VERIFY, GENERATE, COMPARE, SMOOTHNESS, SMOOTH_TABLE
 )
 
 
@@ -167,7 +167,7 @@ NO_FOLDER = ["a_file", "a_file/below", "/proc/nope", "/dev/full"]
     (*ONE_POSE, "--json", "--out"),
     (*TABLE_OF_POSES, "--out"),
     (*RAISE, "--out"),
-    DESTEP[:-1],
+    SMOOTH_TABLE[:-1],
 )
 def test_a_file_that_cannot_be_written_is_refused(
     refuses: Refuses, generated: Path, tmp_path: Path, command: Command, place: str
@@ -190,7 +190,7 @@ def test_a_folder_that_cannot_be_made_is_refused(
     (*ONE_POSE, "--out"),
     (*RAISE, "--out"),
     ("generate", "--out"),
-    DESTEP[:-1],
+    SMOOTH_TABLE[:-1],
     (*COMPARE, "--out"),
 )
 def test_a_place_without_a_name_is_refused_by_its_option(
@@ -212,12 +212,12 @@ def test_a_place_without_a_name_is_refused_by_its_option(
     (*RAISE, "--out", "-"),
     VERIFY,
     (*VERIFY, "--json"),
-    (*DESTEP[:-1], "-"),
-    (*DESTEP[:-1], "/dev/stdout"),
+    (*SMOOTH_TABLE[:-1], "-"),
+    (*SMOOTH_TABLE[:-1], "/dev/stdout"),
     COMPARE,
     (*COMPARE, "--json"),
-    CONTINUITY,
-    (*CONTINUITY, "--json"),
+    SMOOTHNESS,
+    (*SMOOTHNESS, "--json"),
     ("solve", "--posture", "relaxed"),
     ("solve", "--elevation", "0:180:5", "--plane", "0"),
 )

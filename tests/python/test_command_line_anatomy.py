@@ -19,6 +19,7 @@ from conftest import (
     Refuses,
     contents,
     find_element,
+    remove_element,
 )
 
 DATA = Path(__file__).resolve().parents[2] / "data"
@@ -109,7 +110,7 @@ def test_every_kind_of_model_has_the_bones_of_its_person(
 @pytest.mark.parametrize(
     ("made_for", "held_against"),
     [
-        (("--humerus-length", "0.33"), ()),
+        (("--humerus-length", "0.33"), ("--stature", str(ADULT_STATURE_M))),
         ((), ("--humerus-length", "0.33")),
         (("--humerus-length", "0.33"), ("--humerus-length", "0.3301")),
         ((), ("--body-mass", "70")),
@@ -122,15 +123,49 @@ def test_a_model_has_no_other_persons_bones(
     girdle_fine("generate", "--out", "model", *made_for)
     finished = girdle("verify", f"model/{SCENE_FILE}", "--json", *held_against)
     assert (finished.code, finished.message) == (ABOVE_TOLERANCE, "")
-    failed = [line for line in json.loads(finished.text)["residuals"] if not line["passed"]]
+    answer = json.loads(finished.text)
+    failed = [line for line in answer["residuals"] if not line["passed"]]
     assert {line["group"] for line in failed} == {"bones"}
+    assert answer["remark"] != ""
+
+
+@every_person
+def test_a_model_carries_the_person_it_was_made_for(girdle_fine: Girdle, options: Options) -> None:
+    """`verify` needs not be told of whom the bones are, and has nothing to remark."""
+    girdle_fine("generate", "--out", "model", *options)
+    alone = json.loads(girdle_fine("verify", f"model/{SCENE_FILE}", "--json").text)
+    told = json.loads(girdle_fine("verify", f"model/{SCENE_FILE}", "--json", *options).text)
+    assert (alone["passed"], alone["remark"]) == (True, "")
+    assert alone == told
+
+
+def carried_anatomy(model: ElementTree.Element) -> dict[str, str]:
+    """The anatomy that a model carries: what each entry says by its name."""
+    (text,) = model.findall("custom/text[@name='girdle_anatomy']")
+    entries = [entry.partition(" ") for entry in text.get("data", "").split("; ")]
+    return {name: numbers for name, _, numbers in entries}
 
 
 def test_the_shipped_landmarks_give_the_built_in_model(
     girdle_fine: Girdle, generated: Path, tmp_path: Path
 ) -> None:
+    """But for the ellipsoid, which is fitted to a person's bones, and how a stature scales them."""
     girdle_fine("generate", "--out", "model", "--anatomy", LANDMARKS)
-    assert contents(tmp_path / "model") == contents(generated)
+    built_in, from_file = (
+        ElementTree.parse(folder / MODEL_FILE).getroot()
+        for folder in (generated, tmp_path / "model")
+    )
+    carried = carried_anatomy(built_in) | {
+        name: numbers
+        for name, numbers in carried_anatomy(from_file).items()
+        if name in ("gliding", "adult_proportions")
+    }
+    assert carried_anatomy(from_file) == carried
+    for model in (built_in, from_file):
+        remove_element(model, ".//text[@name='girdle_anatomy']")
+    assert ElementTree.tostring(from_file) == ElementTree.tostring(built_in)
+    scenes = [(folder / SCENE_FILE).read_bytes() for folder in (generated, tmp_path / "model")]
+    assert scenes[0] == scenes[1]
 
 
 def test_the_adults_stature_gives_the_built_in_model(

@@ -207,7 +207,7 @@ def test_the_tally_says_what_axial_turns_count_from(
 def test_a_raise_has_no_turn_to_count(refuses: Refuses, model_path: Path) -> None:
     refuses(
         "simulate", str(model_path), "--elevation", "0:90", "--axial-from", "isb",
-        because=("--axial-from belongs to the column axial_deg",),
+        because=("--axial-from says how the column axial_deg of a motion is read", "Give --in FILE"),
     )  # fmt: skip
 
 

@@ -14,7 +14,7 @@ from conftest import SCENE, Girdle, Refuses, with_scene
 from reference_rhythm import DATABASE
 
 # What the default model moves by.
-DESTEPPED = DATABASE.with_name("ludewig2009_smoothed.csv")
+SMOOTHED = DATABASE.with_name("ludewig2009_smoothed.csv")
 PUBLISHED = ("--interpolation", "squad", "--closure", "table")
 
 Table = list[list[str]]
@@ -29,7 +29,7 @@ def line_of(plane: int, elevation: int) -> int:
 
 
 def shipped_table() -> Table:
-    lines = [line for line in DESTEPPED.read_text().splitlines() if not line.startswith("#")]
+    lines = [line for line in SMOOTHED.read_text().splitlines() if not line.startswith("#")]
     return [line.split(",") for line in lines]
 
 
@@ -283,7 +283,7 @@ SMALL_VERBS = VERBS | {
     "solve rows": ("solve", "--elevation", "30:60:30", "--plane", "0", "--out", "map.csv"),
     "simulate": ("simulate", SCENE, "--elevation", "30:60", "--out", "trace.csv"),
     "compare": ("compare", "--out", "map.csv"),
-    "smoothness": ("continuity",),
+    "smoothness": ("smoothness",),
 }
 
 

@@ -14,7 +14,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from conftest import SCENE_FILE, TALLY, Girdle, Refuses, contents
+from conftest import SCENE_FILE, TALLY, TWELVE_DIGITS, Girdle, Refuses, contents
 
 # An angle that went through a direction and back.
 ROUNDING_DEG = 1e-9
@@ -126,7 +126,7 @@ def test_a_walking_arm_is_followed_in_every_row(
     (tmp_path / "walk.csv").write_text(walking_text())
     solved = girdle("solve", "--in", "walk.csv", "--out", "walked.csv")
     assert (solved.code, solved.output) == (0, b"")
-    assert solved.message.startswith("girdle: walk.csv: 1001 rows, 0 clamped, ")
+    assert solved.message.startswith("girdle: wrote walked.csv: 1001 rows, 0 clamped, ")
     planes_deg = [float(row["plane_deg"]) for row in read_rows((tmp_path / "walked.csv").read_text())]
     assert min(planes_deg) < -75
     simulated = girdle("simulate", scene, "--in", "walk.csv", "--out", "trace.csv")
@@ -363,7 +363,7 @@ def test_radians_with_planes_up_to_a_whole_turn_are_refused(
 
 
 def test_the_unit_is_the_one_that_is_said(girdle_fine: Girdle) -> None:
-    words = ("solve", "--in", "-", "--angles")
+    words = ("solve", "--in", "-", *TWELVE_DIGITS, "--angles")
     for unit, factor in (("rad", math.degrees(1)), ("deg", 1)):
         rows = read_rows(girdle_fine(*words, unit, stdin=RADIANS.encode()).text)
         for row in rows:
@@ -468,7 +468,7 @@ def test_a_file_ends_with_a_line_that_counts(
     farthest_deg = max(float(row["distance_deg"]) for row in rows)
     assert TALLY.fullmatch(finished.message)
     assert finished.message == (
-        "girdle: standard input: 4 rows, 2 clamped (1 beyond what an arm reaches, 1 beyond the "
+        "girdle: wrote angles.csv: 4 rows, 2 clamped (1 beyond what an arm reaches, 1 beyond the "
         "range of a joint or control; see the columns used_*), 2 modelled (up to "
         f"{round(farthest_deg, 1):g} deg from measured directions), axial from rhythm\n"
     )

@@ -115,7 +115,7 @@ def test_a_picture_is_640_by_480_unless_said_otherwise(
     girdle_fine: Girdle, scene: Path, tmp_path: Path
 ) -> None:
     finished = girdle_fine("render", scene, "--out", "arm.png")
-    assert finished.text == "picture  arm.png\n"
+    assert (finished.text, finished.message) == ("", "girdle: wrote arm.png\n")
     picture = read_png(tmp_path / "arm.png")
     assert (picture.width, picture.height) == (640, 480)
 
@@ -294,7 +294,7 @@ def test_a_video_shows_the_motion_in_real_time(
         "simulate", scene, "--elevation", "0:90", "--seconds", "1", *SMALL, *words, "--out-video", "arm.mp4"
     )
     frames = rate + 1  # from the first instant to the last
-    assert f"video  arm.mp4, {frames} frames\n" in finished.text
+    assert f"girdle: wrote arm.mp4: {frames} frames\n" in finished.message
     stream = probe(tmp_path / "arm.mp4")
     assert stream["codec_name"] == "h264"
     assert stream["pix_fmt"] == "yuv420p"
@@ -392,7 +392,7 @@ def literal(text: str) -> str:
         (("--size", "640x480x2"), "--size 640x480x2: expected WIDTHxHEIGHT"),
         (("--size", "-640x480"), "--size -640x480: expected WIDTHxHEIGHT"),
         (("--camera", "below"), 'no camera "below". Choose one of: front, back, above, oblique'),
-        (("--keyframe", "abduction"), 'no keyframe "abduction". Choose one of: rest, relaxed, abd'),
+        (("--keyframe", "abduction"), 'no keyframe "abduction". Choose one of: hanging, relaxed, '),
         (("--show", "muscles"), "--show muscles: not known. Choose one of: skin, bones, both"),
         (("--show", "skin"), "has no skin to show"),
         (("--girdle", "stiff"), "--girdle stiff: not known. Choose one of: measured, frozen"),
@@ -423,7 +423,7 @@ def test_render_refuses(
         (("--out-video", "arm.avi"), "--out-video arm.avi: the name does not end in .mp4"),
         (("--out-video", "-"), "--out-video -: the name does not end in .mp4"),
         (("--camera", "front"), "--camera, --size and --show belong to a picture"),
-        (("--fps", "30"), "--fps 30: of which video"),
+        (("--fps", "30"), "--fps 30: there is no video. Give --out-video"),
         (("--out-video", "a.mp4", "--fps", "0"), "--fps 0: expected a whole number, 1 to 240"),
         (("--out-video", "a.mp4", "--fps", "29.97"), "--fps 29.97: expected a whole number"),
         (("--out-video", "a.mp4", "--fps", "fast"), "--fps 'fast': not a finite number"),

@@ -27,7 +27,7 @@ from reference_rhythm import (
     rotation_angle_deg,
 )
 
-DESTEPPED = DATABASE.with_name("ludewig2009_smoothed.csv")
+SMOOTHED = DATABASE.with_name("ludewig2009_smoothed.csv")
 JOINTS = tuple(JOINT_SEQUENCES)
 PLANES = (0, 40, 90)
 ELEVATIONS = tuple(range(15, 125, 5))
@@ -84,7 +84,7 @@ def euler_bends_deg(series: list[Array], joint: str) -> Array:
 
 def moves_deg(joint: str, plane: int) -> Array:
     before = rotations(read_rows(DATABASE), joint, plane)
-    after = rotations(read_rows(DESTEPPED), joint, plane)
+    after = rotations(read_rows(SMOOTHED), joint, plane)
     return np.array([rotation_angle_deg(q, r) for q, r in zip(before, after, strict=True)])
 
 
@@ -110,7 +110,7 @@ def test_the_committed_table_is_regenerated_byte_for_byte(
     girdle_fine: Girdle, tmp_path: Path
 ) -> None:
     girdle_fine("smooth-table", "--in", DATABASE, "--out", "smooth.csv")
-    assert (tmp_path / "smooth.csv").read_bytes() == DESTEPPED.read_bytes()
+    assert (tmp_path / "smooth.csv").read_bytes() == SMOOTHED.read_bytes()
 
 
 @every_plane
@@ -123,20 +123,20 @@ def test_no_row_moves_far(joint: str, plane: int) -> None:
 @pytest.mark.parametrize("joint", ["sc", "ac"])
 def test_the_clavicle_and_the_scapula_have_no_steps(joint: str, plane: int) -> None:
     assert bends_deg(rotations(read_rows(DATABASE), joint, plane)).max() > 1.0
-    assert bends_deg(rotations(read_rows(DESTEPPED), joint, plane)).max() < MOST_BENT_DEG
+    assert bends_deg(rotations(read_rows(SMOOTHED), joint, plane)).max() < MOST_BENT_DEG
 
 
 @every_plane
 def test_the_arm_has_no_steps_from_30_up(plane: int) -> None:
     """Beside the row 30 the fast axial turn near hanging ends, which is no step."""
     first = ELEVATIONS.index(40) - 1  # the first second difference stands at the second row
-    series = rotations(read_rows(DESTEPPED), "gh", plane)
+    series = rotations(read_rows(SMOOTHED), "gh", plane)
     assert bends_deg(series)[first:].max() < MOST_BENT_GH_DEG
 
 
 def test_the_axial_rate_near_hanging_falls_steadily() -> None:
     """Measured: -6.9, -1.6, -3.1, -0.9 deg from row to row in the frontal plane."""
-    axial = [float(row["gh_axial_deg"]) for row in read_rows(DESTEPPED)[:6]]
+    axial = [float(row["gh_axial_deg"]) for row in read_rows(SMOOTHED)[:6]]
     rates = np.abs(np.diff(axial))
     assert list(rates) == sorted(rates, reverse=True)
 
@@ -145,7 +145,7 @@ def test_the_axial_rate_near_hanging_falls_steadily() -> None:
 @every_joint
 def test_no_small_turn_of_a_row_makes_the_fit_better(joint: str, plane: int) -> None:
     measured = rotations(read_rows(DATABASE), joint, plane)
-    fitted = rotations(read_rows(DESTEPPED), joint, plane)
+    fitted = rotations(read_rows(SMOOTHED), joint, plane)
     shares = np.ones(len(ELEVATIONS) - 3)
     if joint == "gh":
         shares[:FIRST_PINNED] = GH_LOW_SHARE
@@ -166,7 +166,7 @@ def test_no_small_turn_of_a_row_makes_the_fit_better(joint: str, plane: int) -> 
 
 
 def test_everything_but_the_joints_angles_is_the_source_s() -> None:
-    before, after = read_rows(DATABASE), read_rows(DESTEPPED)
+    before, after = read_rows(DATABASE), read_rows(SMOOTHED)
     assert list(after[0]) == list(before[0])
     kept = ["plane_deg", "elevation_deg", "origin", *(f"{name}_deg" for name in ST_COORDINATES)]
     for old, new in zip(before, after, strict=True):
@@ -174,7 +174,7 @@ def test_everything_but_the_joints_angles_is_the_source_s() -> None:
 
 
 def test_the_table_says_where_it_comes_from() -> None:
-    comments = [line for line in DESTEPPED.read_text().splitlines() if line.startswith("#")]
+    comments = [line for line in SMOOTHED.read_text().splitlines() if line.startswith("#")]
     text = "\n".join(comments)
     for word in ("ludewig2009.csv", "lambda = 10", "0.005", "girdle smooth-table", "Units: degrees"):
         assert word in text
@@ -214,7 +214,7 @@ def report(girdle_fine: Girdle) -> dict[tuple[str, str], tuple[float, float, flo
 def test_the_report_tells_the_largest_of_each(
     report: dict[tuple[str, str], tuple[float, float, float]], joint: str
 ) -> None:
-    before, after = read_rows(DATABASE), read_rows(DESTEPPED)
+    before, after = read_rows(DATABASE), read_rows(SMOOTHED)
     expected = dict.fromkeys(QUANTITIES, (0.0, 0, 0))
     expected["move"] = largest({plane: moves_deg(joint, plane) for plane in PLANES}, 0)
     for when, rows in (("before", before), ("after", after)):
@@ -246,7 +246,7 @@ def test_the_text_gives_the_numbers_of_the_json(
 
 def test_a_table_on_standard_output_is_alone_there(girdle_fine: Girdle) -> None:
     printed = girdle_fine("smooth-table", "--in", DATABASE, "--out", "-").output
-    assert printed == DESTEPPED.read_bytes()
+    assert printed == SMOOTHED.read_bytes()
 
 
 def test_without_a_penalty_the_angles_stay(girdle_fine: Girdle, tmp_path: Path) -> None:
@@ -257,7 +257,7 @@ def test_without_a_penalty_the_angles_stay(girdle_fine: Girdle, tmp_path: Path) 
 def test_a_larger_penalty_bends_less(girdle_fine: Girdle, tmp_path: Path) -> None:
     girdle_fine("smooth-table", "--in", DATABASE, "--out", "stiff.csv", "--penalty", "1000")
     stiff = rotations(read_rows(tmp_path / "stiff.csv"), "sc", 40)
-    assert bends_deg(stiff).max() < bends_deg(rotations(read_rows(DESTEPPED), "sc", 40)).max()
+    assert bends_deg(stiff).max() < bends_deg(rotations(read_rows(SMOOTHED), "sc", 40)).max()
 
 
 def test_the_result_is_a_table_for_every_verb(girdle_fine: Girdle) -> None:

@@ -4,17 +4,11 @@
 
 from __future__ import annotations
 
-import os
-import pty
 import re
-import subprocess
-from contextlib import nullcontext
-from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
 from conftest import (
-    PROGRAM_TIMEOUT_S,
     REFUSED,
     SCENE,
     TALLY,
@@ -23,6 +17,7 @@ from conftest import (
     find_element,
     with_scene,
 )
+from pseudo_terminal import Seen, run_on_terminal
 
 # Long enough that every percent has its turn.
 LONG_ROWS = 100_000
@@ -36,53 +31,9 @@ LONG_WORK = {
 every_long_work = pytest.mark.parametrize("command", LONG_WORK.values(), ids=LONG_WORK.keys())
 
 
-@dataclass(frozen=True)
-class Seen:
-    """One run on a terminal, and all that came there."""
-
-    code: int
-    written: str
-
-    @property
-    def lines(self) -> list[str]:
-        """What stands on the screen in the end: a carriage return goes back to overwrite."""
-        lines = []
-        for line in self.written.replace("\r\n", "\n").split("\n"):
-            screen = ""
-            for part in line.split("\r"):
-                screen = part + screen[len(part) :]
-            lines.append(screen.rstrip())
-        return lines
-
-
 def without_tally(lines: list[str]) -> list[str]:
     """What stands there but for how many rows were clamped."""
     return [line for line in lines if not TALLY.fullmatch(line + "\n")]
-
-
-def run_on_terminal(command: list[str], folder: Path, output: Path | None = None) -> Seen:
-    """With standard error on a terminal, and standard output too where it goes to no file."""
-    terminal, program_side = pty.openpty()
-    with output.open("wb") if output else nullcontext(program_side) as standard_output:
-        process = subprocess.Popen(
-            command,
-            stdin=subprocess.DEVNULL,
-            stdout=standard_output,
-            stderr=program_side,
-            cwd=folder,
-        )
-    os.close(program_side)
-    parts = []
-    while True:
-        try:
-            part = os.read(terminal, 1 << 16)
-        except OSError:  # how a terminal ends when nobody is left on the other side
-            break
-        if not part:
-            break
-        parts.append(part)
-    os.close(terminal)
-    return Seen(process.wait(PROGRAM_TIMEOUT_S), b"".join(parts).decode())
 
 
 @pytest.fixture
@@ -93,7 +44,7 @@ def typed(program: Path, generated: Path, tmp_path: Path, command: tuple[str, ..
 
 @every_long_work
 def test_progress_counts_up_on_a_terminal(typed: list[str], tmp_path: Path) -> None:
-    seen = run_on_terminal(typed, tmp_path, tmp_path / "output")
+    seen = run_on_terminal(typed, tmp_path, output=tmp_path / "output")
     percents = [int(percent) for percent in re.findall(r"\r\w+ (\d+) %", seen.written)]
     assert seen.code == 0
     assert percents == sorted(set(percents))
@@ -103,7 +54,7 @@ def test_progress_counts_up_on_a_terminal(typed: list[str], tmp_path: Path) -> N
 
 @every_long_work
 def test_nothing_of_the_progress_is_left_in_the_end(typed: list[str], tmp_path: Path) -> None:
-    seen = run_on_terminal(typed, tmp_path, tmp_path / "output")
+    seen = run_on_terminal(typed, tmp_path, output=tmp_path / "output")
     assert seen.code == 0
     assert without_tally(seen.lines) == [""]
 
@@ -116,7 +67,7 @@ def test_nothing_of_the_progress_is_left_in_the_end(typed: list[str], tmp_path: 
 def test_a_terminal_changes_nothing_in_a_result_that_goes_to_a_file(
     girdle_fine: Girdle, typed: list[str], tmp_path: Path
 ) -> None:
-    run_on_terminal(typed, tmp_path, tmp_path / "output")
+    run_on_terminal(typed, tmp_path, output=tmp_path / "output")
     assert (tmp_path / "output").read_bytes() == girdle_fine(*typed[1:]).output
 
 
@@ -128,7 +79,8 @@ def test_a_terminal_changes_nothing_in_a_result_that_goes_to_a_file(
 def test_a_result_on_the_terminal_is_free_of_progress(
     girdle_fine: Girdle, typed: list[str], tmp_path: Path
 ) -> None:
-    seen = run_on_terminal(typed, tmp_path)
+    # Colour is for terminals alone.
+    seen = run_on_terminal(typed, tmp_path, variables={"NO_COLOR": "1"})
     expected = [line.rstrip() for line in girdle_fine(*typed[1:]).text.split("\n")]
     assert seen.code == 0
     lines = without_tally(seen.lines)
@@ -168,4 +120,4 @@ def test_solving_one_pose_shows_no_progress(
     program: Path, tmp_path: Path, options: tuple[str, ...]
 ) -> None:
     typed = [str(program), "solve", "--elevation", "23", "--plane", "50", *options]
-    assert run_on_terminal(typed, tmp_path, tmp_path / "output").written == ""
+    assert run_on_terminal(typed, tmp_path, output=tmp_path / "output").written == ""

@@ -177,7 +177,7 @@ def test_a_small_person_is_measured_by_a_small_ruler(
     for line in RISES:
         assert report.skin[line]["tolerance"] == pytest.approx(8 * 1.2 / 1.71)
     # Held against an adult's bones the skin is not where they take it.
-    assert not verify(girdle, scene).skin[POSE]["passed"]
+    assert not verify(girdle, scene, "--stature", "1.71").skin[POSE]["passed"]
 
 
 # --- Continuity of the model's own rhythm --------------------------------------------------------

@@ -310,7 +310,8 @@ def test_the_trace_of_position_servos_counts_as_a_motion_does(
 def test_a_raise_has_the_rhythms_own_turn_in_every_model(
     run_program: RunProgram, made: Made, tmp_path: Path
 ) -> None:
-    found = trace(run_program, made.scene, tmp_path, "--elevation", "0:170", "--plane", "40", "--seconds", "0.5")
+    motion = ("--elevation", "0:170", "--plane", "40", "--seconds", "0.5")
+    found = trace(run_program, made.scene, tmp_path, *motion)
     assert np.abs(found["used_axial_deg"]).max() < 1e-9
 
 

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from conftest import RunProgram
+from conftest import TWELVE_DIGITS, RunProgram
 from reference_rhythm import COORDINATES, JOINT_SEQUENCES, Array, Position, multiply
 from reference_smooth import (
     AxialFrom,
@@ -182,7 +182,7 @@ def solve_file(
         poses = zip(*commands.values(), strict=True)
         writer.writerows([repr(float(value)) for value in pose] for pose in poses)
     model = ("--interpolation", "smooth", "--table", "measured")
-    how = ("--closure", closure, "--range", extent, "--derivatives", *words)
+    how = ("--closure", closure, "--range", extent, "--derivatives", *TWELVE_DIGITS, *words)
     run_program("solve", "--in", poses_path, "--out", angles_path, *model, *how)
     with angles_path.open(newline="", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
