@@ -120,8 +120,8 @@ std::string AnatomyAsLine(const Anatomy& anatomy) {
 Anatomy AnatomyFromLine(const std::string& line, const std::string& place) {
   constexpr std::size_t kLongestLine = 20'000;
   const auto fail = [&place](const std::string& name, std::size_t count) {
-    throw InputError(place + ": expected " + name + " with " +
-                     CountText(count, "number") + ". Generate the model again with girdle generate");
+    throw InputError(place + ": expected " + name + " with " + CountText(count, "number") +
+                     ". Generate the model again with girdle generate");
   };
   Anatomy anatomy;
   const std::vector<Row<double>> rows = RowsOf<Anatomy, double>(anatomy);
@@ -129,8 +129,7 @@ Anatomy AnatomyFromLine(const std::string& line, const std::string& place) {
       line.size() > kLongestLine ? std::vector<std::string>() : Parts(line, kBetweenRows);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::size_t count = rows[i].numbers.size();
-    const auto numbers =
-        i < texts.size() ? NumbersOf(texts[i], rows[i].name, count) : std::nullopt;
+    const auto numbers = i < texts.size() ? NumbersOf(texts[i], rows[i].name, count) : std::nullopt;
     if (!numbers) {
       fail(rows[i].name, count);
     }

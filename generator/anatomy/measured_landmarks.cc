@@ -160,8 +160,8 @@ Landmark MeasuredLandmarks::KnownLandmark(std::string_view name) const {
     for (const LandmarkDefinition& definition : kLandmarks) {
       known += (known.empty() ? "" : " ") + std::string(definition.name);
     }
-    csv_.Fail("'" + std::string(name) + "' is not a landmark. " +
-              DidYouMean(name, kLandmarkNames) + "Known are " + known +
+    csv_.Fail("'" + std::string(name) + "' is not a landmark. " + DidYouMean(name, kLandmarkNames) +
+              "Known are " + known +
               ", AC for PAC, and HH1 HH2 ... for points of the humeral head");
   }
   return *landmark;

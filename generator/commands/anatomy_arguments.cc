@@ -8,9 +8,9 @@
 #include <iostream>
 #include <stdexcept>
 
-#include "commands/option_group.h"
 #include "anatomy/built_in_anatomy.h"
 #include "anatomy/person_landmarks.h"
+#include "commands/option_group.h"
 #include "fits/fitted_anatomy.h"
 #include "text/input_error.h"
 #include "text/number_text.h"
@@ -91,9 +91,10 @@ void AddAnatomyArguments(CLI::App& verb, AnatomyArguments& arguments) {
                   "Landmarks of one person, a CSV in the format of data/landmarks.csv; in place of "
                   "the built-in adult")
       ->type_name("FILE");
-  verb.add_option("--ellipsoids", arguments.ellipsoids,
-                  "Ellipsoids of the thorax, a CSV as girdle fit-thorax --out writes it; in place of "
-                  "those that belong to the bones")
+  verb.add_option(
+          "--ellipsoids", arguments.ellipsoids,
+          "Ellipsoids of the thorax, a CSV as girdle fit-thorax --out writes it; in place of "
+          "those that belong to the bones")
       ->type_name("FILE");
   for (std::size_t i = 0; i < kBodyMeasures.size(); ++i) {
     const BodyMeasure& measure = kBodyMeasures[i];

@@ -24,10 +24,10 @@ void AddAnatomyArguments(CLI::App& verb, AnatomyArguments& arguments);
 
 /// Returns the anatomy chosen: that of the file or the built-in one in the size that the measures
 /// say. The scapula of bones of other proportions glides on an ellipsoid fitted to them under the
-/// built-in rhythm, or on that of the `--ellipsoids` file. With a file of landmarks, lengths are its
-/// own, and of stature the height above the floor is taken; if GH is not among its rows, standard
-/// error says how it was found. Throws InputError for a file that is
-/// not of a right shoulder, a measure that nobody has, and a length beside a file of landmarks.
+/// built-in rhythm, or on that of the `--ellipsoids` file. With a file of landmarks, lengths are
+/// its own, and of stature the height above the floor is taken; if GH is not among its rows,
+/// standard error says how it was found. Throws InputError for a file that is not of a right
+/// shoulder, a measure that nobody has, and a length beside a file of landmarks.
 [[nodiscard]] Anatomy ChosenAnatomy(const AnatomyArguments& arguments);
 
 /// Says on standard error how GH was found, and how well, if no row of the file of landmarks gives

@@ -229,7 +229,8 @@ void AddFitThoraxCommand(CLI::App& program) {
       "\nThe report shows centre and radii in the thorax frame, how well the points determine "
       "them, and how far TS and AI are from the surface over the table's measured positions; "
       "beside them, the figures of the anatomy's own ellipsoid.\n"
-      "\nExamples:\n  girdle fit-thorax --out thorax.csv\n  girdle fit-thorax --anatomy landmarks.csv");
+      "\nExamples:\n  girdle fit-thorax --out thorax.csv\n  girdle fit-thorax --anatomy "
+      "landmarks.csv");
   verb->callback([arguments] { FitThorax(*arguments, ChosenAnatomy(arguments->anatomy)); });
 }
 

@@ -14,8 +14,8 @@
 
 #include "commands/anatomy_arguments.h"
 #include "commands/named_files.h"
-#include "commands/output_file.h"
 #include "commands/option_group.h"
+#include "commands/output_file.h"
 #include "commands/rhythm_arguments.h"
 #include "commands/simulation_module.h"
 #include "commands/skin_argument.h"
@@ -249,7 +249,8 @@ void AddGenerateCommand(CLI::App& program) {
   AddSkinArguments(*verb, arguments->skin);
   AddPluginArgument(*verb, arguments->plugin);
   verb->footer(
-      "\nExamples:\n  girdle generate --out my_model\n  girdle generate --side both --assembly loop "
+      "\nExamples:\n  girdle generate --out my_model\n  girdle generate --side both --assembly "
+      "loop "
       "--out my_model\n  girdle generate --stature 1.85 --body-mass 80 --out my_model\n"
       "  girdle generate --side both --skin implicit --out my_model");
   verb->callback([arguments] { Generate(*arguments); });

@@ -117,7 +117,8 @@ void AddRenderCommand(CLI::App& program) {
   AddConventionArgument(*verb, arguments->angles);
   verb->add_option("--girdle", arguments->girdle,
                    "measured (default), or frozen: clavicle and scapula stay where the skin was "
-                   "bound (without a skin: as in keyframe hanging) and the arm turns in GH alone, to where it "
+                   "bound (without a skin: as in keyframe hanging) and the arm turns in GH alone, "
+                   "to where it "
                    "points")
       ->type_name("WORD");
   verb->add_option("--side", arguments->side,

@@ -40,7 +40,8 @@ void AddTableArgument(CLI::App& verb, std::string& table);
 [[nodiscard]] ShoulderRhythm ChosenRhythm(const RhythmArguments& arguments);
 [[nodiscard]] ShoulderRhythm ChosenRhythm(const ResolvedRhythm& resolved);
 
-/// Throws InputError that names `option`, which needs derivatives, if the chosen interpolation has none.
+/// Throws InputError that names `option`, which needs derivatives, if the chosen interpolation has
+/// none.
 void ExpectDerivatives(const std::string& option, const RhythmArguments& arguments);
 
 /// Returns the number that `text` is. Throws InputError that names the option and gives an example.

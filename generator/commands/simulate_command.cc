@@ -95,8 +95,9 @@ MotionRequest Requested(const SimulateArguments& arguments) {
   }
   request.axial_from = AxialFromOf(arguments.axial_from, arguments.angles);
   if (!arguments.axial_from.empty() && !arguments.in) {
-    throw InputError("--axial-from says how the column axial_deg of a motion is read. Give --in FILE, or leave "
-                     "it away");
+    throw InputError(
+        "--axial-from says how the column axial_deg of a motion is read. Give --in FILE, or leave "
+        "it away");
   }
   const double longest_s = LongestMotion_s(arguments);
   if (arguments.in) {
@@ -133,11 +134,13 @@ MotionRequest Requested(const SimulateArguments& arguments) {
 PictureRequest RequestedPictures(const SimulateArguments& arguments) {
   if (arguments.picture.empty() && arguments.video.empty() && !arguments.view.empty()) {
     throw InputError(
-        "--camera, --size and --show belong to a picture. Give --out-picture FILE.png or --out-video "
+        "--camera, --size and --show belong to a picture. Give --out-picture FILE.png or "
+        "--out-video "
         "FILE.mp4");
   }
   if (arguments.video.empty() && !arguments.frames_per_s.empty()) {
-    throw InputError("--fps " + arguments.frames_per_s + ": there is no video. Give --out-video FILE.mp4, or leave --fps away");
+    throw InputError("--fps " + arguments.frames_per_s +
+                     ": there is no video. Give --out-video FILE.mp4, or leave --fps away");
   }
   PictureRequest pictures;
   pictures.view = ChosenView(arguments.view);
@@ -218,8 +221,7 @@ void NoteFilesWritten(const SimulateArguments& arguments, const SimulationSummar
   NoteWritten(arguments.out, rows);
   NoteWritten(arguments.controls, rows);
   NoteWritten(arguments.picture);
-  NoteWritten(arguments.video,
-              CountText(static_cast<std::uintmax_t>(summary.frames), "frame"));
+  NoteWritten(arguments.video, CountText(static_cast<std::uintmax_t>(summary.frames), "frame"));
 }
 
 void Simulate(const SimulateArguments& arguments) {
@@ -228,8 +230,9 @@ void Simulate(const SimulateArguments& arguments) {
     throw InputError("--json and --out - both write to standard output. Give --out a file");
   }
   if (arguments.controls == "-" && (arguments.json || arguments.out == "-")) {
-    throw InputError("--out-controls - and another output both write to standard output. Give one of them a "
-                     "file");
+    throw InputError(
+        "--out-controls - and another output both write to standard output. Give one of them a "
+        "file");
   }
   std::vector<NamedFile> read = ModelFiles(arguments.model);
   read.insert(read.end(), {{"--in", arguments.in.value_or("")},
@@ -307,23 +310,25 @@ void Simulate(const SimulateArguments& arguments) {
 
 void AddSimulateCommand(CLI::App& program) {
   auto arguments = std::make_shared<SimulateArguments>();
-  CLI::App* verb =
-      program.add_subcommand("simulate", "Move a model's arm without a screen and write its joints");
+  CLI::App* verb = program.add_subcommand(
+      "simulate", "Move a model's arm without a screen and write its joints");
   verb->add_option("model", arguments->model, "Model or scene, MJCF or MJB")
       ->type_name("MODEL")
       ->required();
   {
     const OptionGroup group(*verb, "The motion");
-    verb->add_option("--elevation", arguments->elevation, "Move the arm from one elevation to another")
+    verb->add_option("--elevation", arguments->elevation,
+                     "Move the arm from one elevation to another")
         ->type_name("FROM:TO");
     verb->add_option("--plane", arguments->plane, "Plane of --elevation (default 0)")
         ->type_name("DEG");
     verb->add_option("--seconds", arguments->seconds, "Duration of --elevation (default 2)")
         ->type_name("S");
-    verb->add_option("--in", arguments->in,
-                     "Motion in place of --elevation: a CSV with the columns time_s, elevation_deg, "
-                     "plane_deg and optionally axial_deg, shrug_deg, protraction_deg; the simulation "
-                     "starts at its first time")
+    verb->add_option(
+            "--in", arguments->in,
+            "Motion in place of --elevation: a CSV with the columns time_s, elevation_deg, "
+            "plane_deg and optionally axial_deg, shrug_deg, protraction_deg; the simulation "
+            "starts at its first time")
         ->type_name("FILE");
     verb->add_option("--longest", arguments->longest,
                      "Longest motion that is accepted (default 3600)")
@@ -336,16 +341,18 @@ void AddSimulateCommand(CLI::App& program) {
   }
   {
     const OptionGroup group(*verb, "Outputs");
-    verb->add_option("--out", arguments->out,
-                     "CSV to write: commands, targets and joint angles, a row a step; - for standard "
-                     "output")
+    verb->add_option(
+            "--out", arguments->out,
+            "CSV to write: commands, targets and joint angles, a row a step; - for standard "
+            "output")
         ->type_name("FILE");
     verb->add_option("--side", arguments->side,
                      "Shoulder that --out is of (default: the model's, or the right one of both)")
         ->type_name("right|left");
-    verb->add_option("--out-controls", arguments->controls,
-                     "CSV to write: the controls of position servos, a row a step, for a model made "
-                     "with --actuation position; - for standard output")
+    verb->add_option(
+            "--out-controls", arguments->controls,
+            "CSV to write: the controls of position servos, a row a step, for a model made "
+            "with --actuation position; - for standard output")
         ->type_name("FILE");
     verb->add_option("--out-picture", arguments->picture, "PNG to write: the last instant")
         ->type_name("FILE");
@@ -359,10 +366,11 @@ void AddSimulateCommand(CLI::App& program) {
   AddViewArguments(*verb, arguments->view);
   AddRhythmArguments(*verb, arguments->rhythm);
   AddPluginArgument(*verb, arguments->plugin);
-  verb->footer(kPicturesHelp +
-               std::string("\nExamples:\n"
-                           "  girdle simulate scene.xml --elevation 0:150 --plane 0 --out raise.csv\n"
-                           "  girdle simulate scene.xml --in motion.csv --out-video motion.mp4"));
+  verb->footer(
+      kPicturesHelp +
+      std::string("\nExamples:\n"
+                  "  girdle simulate scene.xml --elevation 0:150 --plane 0 --out raise.csv\n"
+                  "  girdle simulate scene.xml --in motion.csv --out-video motion.mp4"));
   verb->callback([arguments] { Simulate(*arguments); });
 }
 

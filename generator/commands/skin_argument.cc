@@ -69,10 +69,11 @@ void ExpectFitting(Source source, const SkinArguments& arguments, const AnatomyA
     throw InputError("--head " + arguments.head + ": only for the body of a folder. Leave it away");
   }
   if (source != Source::kImplicit && IsAnatomyChosen(anatomy)) {
-    throw InputError("--skin " + arguments.skin +
-                     ": bones fitted to that body are its own. Leave out --anatomy, --ellipsoids and "
-                     "all measures of a body, or choose --skin implicit, which is made about the "
-                     "bones");
+    throw InputError(
+        "--skin " + arguments.skin +
+        ": bones fitted to that body are its own. Leave out --anatomy, --ellipsoids and "
+        "all measures of a body, or choose --skin implicit, which is made about the "
+        "bones");
   }
 }
 

@@ -180,7 +180,9 @@ void SmoothTable(const SmoothTableArguments& arguments) {
   OutputFile out(arguments.out);
   out.Write(RhythmTableToCsv(smoothed, Provenance(source, options, comments), kAngleDecimals));
   out.Commit();
-  NoteWritten(arguments.out, CountText(smoothed.elevations_rad().size() * smoothed.planes_rad().size(), "position"));
+  NoteWritten(
+      arguments.out,
+      CountText(smoothed.elevations_rad().size() * smoothed.planes_rad().size(), "position"));
   if (arguments.out == "-") {
     return;  // the table is the output
   }
@@ -193,8 +195,8 @@ void SmoothTable(const SmoothTableArguments& arguments) {
 
 void AddSmoothTableCommand(CLI::App& program) {
   auto arguments = std::make_shared<SmoothTableArguments>();
-  CLI::App* verb =
-      program.add_subcommand("smooth-table", "A measured table without the steps of people who drop out");
+  CLI::App* verb = program.add_subcommand(
+      "smooth-table", "A measured table without the steps of people who drop out");
   verb->add_option("--in", arguments->in, "Measured table as CSV")->type_name("FILE")->required();
   verb->add_option("--out", arguments->out, "Table to write; - for standard output")
       ->type_name("FILE")

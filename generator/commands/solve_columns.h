@@ -70,8 +70,7 @@ using WrittenRotations = std::array<Quaternion, kWrittenRotationCount>;
                                            const std::optional<ShoulderPose>& since) noexcept;
 
 /// Stems of the angles that are written: kCoordinateNames, then kScapulothoracicNames.
-inline constexpr std::size_t kWrittenAngleCount =
-    kCoordinateCount + kScapulothoracicNames.size();
+inline constexpr std::size_t kWrittenAngleCount = kCoordinateCount + kScapulothoracicNames.size();
 using WrittenAngles = std::array<double, kWrittenAngleCount>;
 [[nodiscard]] std::vector<std::string> WrittenAngleNames();
 
@@ -94,13 +93,14 @@ struct SolvedRow {
 
 /// Returns the columns in their order:
 ///
-/// The angles, `sc_protraction_deg` and so on, or as quaternions `sc_qw` and so on; `clamped`, the direction that is answered,
-/// `used_elevation_deg` and `used_plane_deg`; `distance_deg`, `origin`; `used_axial_deg`, the
-/// humerus's turn on top of the rhythm's own, and `used_axial_isb_deg`, ISB's third angle; the
-/// offsets of the clavicle that were left, `used_shrug_deg` and `used_protraction_deg`.
+/// The angles, `sc_protraction_deg` and so on, or as quaternions `sc_qw` and so on; `clamped`, the
+/// direction that is answered, `used_elevation_deg` and `used_plane_deg`; `distance_deg`, `origin`;
+/// `used_axial_deg`, the humerus's turn on top of the rhythm's own, and `used_axial_isb_deg`, ISB's
+/// third angle; the offsets of the clavicle that were left, `used_shrug_deg` and
+/// `used_protraction_deg`.
 ///
-/// With derivatives three columns a joint for each of elevation and plane, `sc_w_elevation_x` and so on:
-/// the angular velocity of the child in the parent, in the parent's axes [deg per deg].
+/// With derivatives three columns a joint for each of elevation and plane, `sc_w_elevation_x` and
+/// so on: the angular velocity of the child in the parent, in the parent's axes [deg per deg].
 ///
 /// With points three columns for each of them, `elbow_x_mm` and so on, in the thorax frame.
 [[nodiscard]] WrittenColumns<SolvedRow, RoundedNumbers> SolveColumns(const SolveOutput& output);

@@ -464,7 +464,8 @@ void SolvePosture(const SolveArguments& arguments) {
   const ShoulderRhythm rhythm = ChosenRhythm(arguments.rhythm);
   const ShoulderPose pose = HangingIn(RelaxedStanding(), rhythm);
   const SolveOutput output = ChosenOutput(arguments, rhythm);
-  std::string text = "posture         " + *arguments.posture + "\n\n" + RotationsAsText(pose, output);
+  std::string text =
+      "posture         " + *arguments.posture + "\n\n" + RotationsAsText(pose, output);
   if (output.points_of) {
     text += PointsAsText(*output.points_of, pose, output.digits);
   }
@@ -609,8 +610,8 @@ void Solve(const SolveArguments& arguments) {
 void AddSolveCommand(CLI::App& program) {
   auto arguments = std::make_shared<SolveArguments>();
   arguments->out = "-";
-  CLI::App* verb =
-      program.add_subcommand("solve", "Joint angles for one position of the arm, or for a CSV of them");
+  CLI::App* verb = program.add_subcommand(
+      "solve", "Joint angles for one position of the arm, or for a CSV of them");
   {
     const OptionGroup group(*verb, "The arm");
     verb->add_option("--elevation", arguments->elevation_deg,
@@ -646,14 +647,16 @@ void AddSolveCommand(CLI::App& program) {
     const OptionGroup group(*verb, "The answer");
     verb->add_option("--out", arguments->out, "File to write; - for standard output (default)")
         ->type_name("FILE");
-    verb->add_option("--as", arguments->form,
-                     "Rotations as degrees (default: sc_, ac_, gh_ of the joints, st_ of the "
-                     "scapula in the thorax) or as quaternions w, x, y, z (ht_ of the humerus in the "
-                     "thorax, too)")
+    verb->add_option(
+            "--as", arguments->form,
+            "Rotations as degrees (default: sc_, ac_, gh_ of the joints, st_ of the "
+            "scapula in the thorax) or as quaternions w, x, y, z (ht_ of the humerus in the "
+            "thorax, too)")
         ->type_name("WORD");
-    verb->add_option("--relative-to", arguments->since,
-                     "hanging: every rotation is the turn since the arm was hanging, about the axes "
-                     "that the bone has there")
+    verb->add_option(
+            "--relative-to", arguments->since,
+            "hanging: every rotation is the turn since the arm was hanging, about the axes "
+            "that the bone has there")
         ->type_name("hanging");
     verb->add_option("--digits", arguments->digits,
                      "Decimals of the numbers in CSV and text, 0 to 15 (default 6)")
@@ -664,9 +667,10 @@ void AddSolveCommand(CLI::App& program) {
     verb->add_flag("--derivatives", arguments->derivatives,
                    "With derivatives by elevation and plane; needs the interpolation smooth");
     verb->add_flag("--json", arguments->json, "One position as JSON, with all digits");
-    verb->add_option("--threads", arguments->threads,
-                     "Threads that solve a file, 1 to 64 (default: the number of cores, 4 at most); "
-                     "the output does not depend on it")
+    verb->add_option(
+            "--threads", arguments->threads,
+            "Threads that solve a file, 1 to 64 (default: the number of cores, 4 at most); "
+            "the output does not depend on it")
         ->type_name("N");
   }
   AddRhythmArguments(*verb, arguments->rhythm);

@@ -122,11 +122,15 @@ class RowAnswers {
     for (std::size_t i = 0; i < count; ++i) {
       tally.Add(rhythm_, rows.commands[i], solved.used[i], solved.origins[i],
                 solved.distances_rad[i]);
-      SolvedRow row{
-          {}, {}, rhythm_.IsClamped(rows.commands[i], solved.used[i]),
-          solved.used[i],       solved.distances_rad[i],
-          solved.origins[i],    rhythm_.AxialOf(AxialFrom::kIsb, solved.poses[i], solved.used[i]),
-          std::nullopt,         {}};
+      SolvedRow row{{},
+                    {},
+                    rhythm_.IsClamped(rows.commands[i], solved.used[i]),
+                    solved.used[i],
+                    solved.distances_rad[i],
+                    solved.origins[i],
+                    rhythm_.AxialOf(AxialFrom::kIsb, solved.poses[i], solved.used[i]),
+                    std::nullopt,
+                    {}};
       AddRotations(row, solved.poses[i], solved.angles_rad[i]);
       if (output_.derivatives) {
         row.rates = rhythm_.SolveRates(rows.commands[i]);

@@ -19,9 +19,8 @@ struct Renaming {
   std::string_view old_name;
   std::string_view new_name;
 };
-constexpr std::array<Renaming, 3> kRenamedVerbs = {{{"continuity", "smoothness"},
-                                                    {"destep", "smooth-table"},
-                                                    {"thorax", "fit-thorax"}}};
+constexpr std::array<Renaming, 3> kRenamedVerbs = {
+    {{"continuity", "smoothness"}, {"destep", "smooth-table"}, {"thorax", "fit-thorax"}}};
 // A verb knows an old option if it has the new one.
 constexpr std::array<Renaming, 9> kRenamedOptions = {{{"--raise", "--elevation"},
                                                       {"--motion", "--in"},

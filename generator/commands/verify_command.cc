@@ -95,9 +95,9 @@ bool Verify(const VerifyArguments& arguments) {
   }
   GirdleMotion girdle = GirdleMotion::kMeasured;
   ChooseWord("--girdle", arguments.girdle, girdle);
-  const std::optional<Anatomy> anatomy =
-      IsAnatomyChosen(arguments.anatomy) ? std::optional(ChosenAnatomy(arguments.anatomy))
-                                         : std::nullopt;
+  const std::optional<Anatomy> anatomy = IsAnatomyChosen(arguments.anatomy)
+                                             ? std::optional(ChosenAnatomy(arguments.anatomy))
+                                             : std::nullopt;
   TerminalProgress progress("verifying");
   const VerifyResult result =
       arguments.mapping.empty()
@@ -121,10 +121,11 @@ void AddVerifyCommand(CLI::App& program, int& status) {
   verb->add_flag("--full", arguments->full, "Every residual in place of a summary");
   verb->add_flag("--json", arguments->json, "Every residual as JSON");
   AddPluginArgument(*verb, arguments->plugin);
-  verb->add_option("--girdle", arguments->girdle,
-                   "Motion on which the skin of a model that has one is measured: measured (default), "
-                   "or frozen (clavicle and scapula stay where the skin was bound, the arm turns in "
-                   "GH alone), which has to fail")
+  verb->add_option(
+          "--girdle", arguments->girdle,
+          "Motion on which the skin of a model that has one is measured: measured (default), "
+          "or frozen (clavicle and scapula stay where the skin was bound, the arm turns in "
+          "GH alone), which has to fail")
       ->type_name("WORD");
   auto mapped = std::make_optional<OptionGroup>(*verb, "A model that is not Girdle's");
   verb->add_option("--mapping", arguments->mapping,
@@ -132,12 +133,10 @@ void AddVerifyCommand(CLI::App& program, int& status) {
                    "that set its arm, such as those in data/mappings")
       ->type_name("FILE");
   verb->add_option("--elevation", arguments->elevation,
-                   std::string("Elevations to survey [deg], by default ") +
-                       kDefaultElevation)
+                   std::string("Elevations to survey [deg], by default ") + kDefaultElevation)
       ->type_name("FROM:TO:STEP");
-  verb->add_option(
-          "--plane", arguments->plane,
-          std::string("Planes to survey [deg], by default ") + kDefaultPlane)
+  verb->add_option("--plane", arguments->plane,
+                   std::string("Planes to survey [deg], by default ") + kDefaultPlane)
       ->type_name("FROM:TO:STEP");
   mapped.reset();
   AddRhythmArguments(*verb, arguments->rhythm);

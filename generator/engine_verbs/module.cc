@@ -425,8 +425,12 @@ std::string AnatomyRemark(const std::optional<Anatomy>& said, const std::optiona
 
 Residual TimestepResidual(const mjOption& option, Assembly assembly) {
   constexpr double kMilliseconds = 1000;
-  return {"time step", "of the model", kMilliseconds * option.timestep, "ms",
-          kMilliseconds * LongestTimestep_s(assembly, SchemeOf(option)), ""};
+  return {"time step",
+          "of the model",
+          kMilliseconds * option.timestep,
+          "ms",
+          kMilliseconds * LongestTimestep_s(assembly, SchemeOf(option)),
+          ""};
 }
 
 VerifyResult Verify(const std::string& model_path, const std::string& plugin,
@@ -437,8 +441,9 @@ VerifyResult Verify(const std::string& model_path, const std::string& plugin,
   LoadedShoulders loaded(LoadModel(model_path), model_path);
   const ResolvedRhythm resolved = Resolve(Over(said, OwnChoice(loaded)));
   const std::optional<Anatomy> own_anatomy = OwnAnatomy(loaded);
-  const Anatomy anatomy =
-      said_anatomy ? *said_anatomy : own_anatomy ? *own_anatomy : BuiltInAnatomy();
+  const Anatomy anatomy = said_anatomy  ? *said_anatomy
+                          : own_anatomy ? *own_anatomy
+                                        : BuiltInAnatomy();
   AssembledRhythm meant = AssembledOf(loaded, RhythmOf(loaded, resolved));
   ShoulderSimulation simulation(std::move(loaded), std::move(meant));
   ResidualReport report =
@@ -447,9 +452,8 @@ VerifyResult Verify(const std::string& model_path, const std::string& plugin,
   report.kind =
       KindOf(simulation) + (girdle == GirdleMotion::kFrozen ? ", skin of a frozen girdle" : "");
   report.remark = AnatomyRemark(said_anatomy, own_anatomy);
-  report.residuals.insert(
-      report.residuals.begin(),
-      TimestepResidual(simulation.model().opt, simulation.elements().assembly));
+  report.residuals.insert(report.residuals.begin(),
+                          TimestepResidual(simulation.model().opt, simulation.elements().assembly));
   return {ReportIn(form, report), report.passed()};
 }
 

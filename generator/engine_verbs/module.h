@@ -133,9 +133,9 @@ struct SimulationModule {
   std::string (*describe_renderer)();
   /// Returns where the ffmpeg is that makes videos; empty if there is none.
   std::string (*find_ffmpeg)();
-  /// Compares the model's bones with `anatomy` or, if that is empty, with the anatomy that the model
-  /// carries; a model that carries none is compared with the built-in one. Its skin is measured on
-  /// a girdle that moves as `girdle` says.
+  /// Compares the model's bones with `anatomy` or, if that is empty, with the anatomy that the
+  /// model carries; a model that carries none is compared with the built-in one. Its skin is
+  /// measured on a girdle that moves as `girdle` says.
   VerifyResult (*verify)(const std::string& model, const std::string& plugin,
                          const RhythmChoice& rhythm, const std::optional<Anatomy>& anatomy,
                          GirdleMotion girdle, const ReportChoice& form,

@@ -7,8 +7,7 @@
 namespace girdle {
 
 void WriteAnatomy(const ModelPlan& plan, XmlElement root) {
-  root.Add("custom").Add("text").Set("name", kAnatomyName).Set("data",
-                                                               AnatomyAsLine(plan.anatomy));
+  root.Add("custom").Add("text").Set("name", kAnatomyName).Set("data", AnatomyAsLine(plan.anatomy));
 }
 
 }  // namespace girdle

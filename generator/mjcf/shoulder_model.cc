@@ -19,8 +19,8 @@ using WriteSection = void (*)(const ModelPlan& plan, XmlElement root);
 
 // In the order of the file.
 constexpr std::array<WriteSection, 12> kSections = {
-    WriteExtension,  WriteDefaults,  WriteAssets,    WriteBodies,  WriteAnatomy, WriteSkin,     WriteContacts,
-    WriteEqualities, WriteLigaments, WriteActuators, WriteSensors, WriteKeyframes};
+    WriteExtension, WriteDefaults,   WriteAssets,    WriteBodies,    WriteAnatomy, WriteSkin,
+    WriteContacts,  WriteEqualities, WriteLigaments, WriteActuators, WriteSensors, WriteKeyframes};
 
 void WriteComments(const ModelPlan& plan, XmlElement root) {
   const RhythmOptions& rhythm = plan.rhythm().options();

@@ -127,8 +127,8 @@ inline constexpr std::string_view kSkinAcromionName = "skin_acromion";
 inline constexpr std::array<std::string_view, kSkinLandmarkCount> kSkinLandmarkNames = {
     kSkinAcName, kSkinAcromionName, "skin_mid_clavicle", "skin_scapular_spine", "skin_deltoid"};
 
-/// A keyframe of emitted models. `hanging` is the lowest position of the frontal plane, where a model
-/// with all controls at zero stands. `relaxed` is relaxed standing, held by trims.
+/// A keyframe of emitted models. `hanging` is the lowest position of the frontal plane, where a
+/// model with all controls at zero stands. `relaxed` is relaxed standing, held by trims.
 struct NamedPose {
   std::string_view name;
   double elevation_deg;

@@ -21,7 +21,7 @@ constexpr int kSummaryDigits = 3;
 // All residuals of one kind.
 struct Kind {
   std::string group;
-  const Residual* shown;   // the nearest to its tolerance; the first if none has one
+  const Residual* shown;    // the nearest to its tolerance; the first if none has one
   std::size_t checked = 0;  // how many have a tolerance
 };
 
@@ -41,8 +41,8 @@ std::vector<Kind> KindsOf(const std::vector<Residual>& residuals) {
   std::vector<Kind> kinds;
   for (const Residual& residual : residuals) {
     const auto known = std::ranges::find(kinds, residual.group, &Kind::group);
-    Kind& kind = known == kinds.end() ? kinds.emplace_back(Kind{residual.group, &residual})
-                                      : *known;
+    Kind& kind =
+        known == kinds.end() ? kinds.emplace_back(Kind{residual.group, &residual}) : *known;
     kind.checked += residual.tolerance ? 1 : 0;
     if (ShareOfTolerance(residual) > ShareOfTolerance(*kind.shown)) {
       kind.shown = &residual;
@@ -80,7 +80,8 @@ std::string ToleranceWithUnit(const Residual& residual) {
 
 std::string Cut(const std::string& line, std::size_t width) {
   constexpr const char* kCut = "...";
-  return line.size() <= width ? line : line.substr(0, width - std::min<std::size_t>(width, 3)) + kCut;
+  return line.size() <= width ? line
+                              : line.substr(0, width - std::min<std::size_t>(width, 3)) + kCut;
 }
 
 std::string TableOf(const std::vector<Kind>& kinds, const TextStyle& style) {
@@ -92,8 +93,8 @@ std::string TableOf(const std::vector<Kind>& kinds, const TextStyle& style) {
                     ShortPlace(kind.shown->where)});
   }
   const std::string table = ColumnsText(
-      rows, {Alignment::kLeft, Alignment::kRight, Alignment::kLeft, Alignment::kRight,
-             Alignment::kLeft});
+      rows,
+      {Alignment::kLeft, Alignment::kRight, Alignment::kLeft, Alignment::kRight, Alignment::kLeft});
   std::string text;
   std::size_t from = 0;
   for (std::size_t end = table.find('\n'); end != std::string::npos; end = table.find('\n', from)) {
@@ -104,16 +105,15 @@ std::string TableOf(const std::vector<Kind>& kinds, const TextStyle& style) {
 }
 
 std::string FailureText(const Residual& residual, const TextStyle& style) {
-  const std::string value = std::isfinite(residual.value)
-                                ? SignificantText(residual.value, kSummaryDigits) + " " +
-                                      residual.unit
-                                : "not a number";
-  const std::string text = "FAIL  " + residual.group + ", " + residual.item + ": " + value +
-                           (residual.bound == Bound::kMoreThan ? ", must be more than "
-                                                               : ", must be at most ") +
-                           SignificantText(*residual.tolerance, kSummaryDigits) + " " +
-                           residual.unit +
-                           (residual.where.empty() ? "" : " (" + residual.where + ")");
+  const std::string value =
+      std::isfinite(residual.value)
+          ? SignificantText(residual.value, kSummaryDigits) + " " + residual.unit
+          : "not a number";
+  const std::string text =
+      "FAIL  " + residual.group + ", " + residual.item + ": " + value +
+      (residual.bound == Bound::kMoreThan ? ", must be more than " : ", must be at most ") +
+      SignificantText(*residual.tolerance, kSummaryDigits) + " " + residual.unit +
+      (residual.where.empty() ? "" : " (" + residual.where + ")");
   constexpr std::size_t kIndent = 6;
   return Coloured(WrappedText(text, style.width, kIndent), Colour::kRed, style) + "\n";
 }
@@ -136,10 +136,10 @@ SummaryParts SummaryPartsOf(const ResidualReport& report, const TextStyle& style
   const std::string rest =
       stated == 0 ? "" : " " + std::to_string(stated) + " values have no tolerance.";
   return {SubjectText(report, style.width) + "\n" + verdict,
-          TableOf(KindsOf(report.residuals), style),
-          FailuresOf(report, style),
+          TableOf(KindsOf(report.residuals), style), FailuresOf(report, style),
           (report.remark.empty() ? "" : WrappedText(report.remark, style.width) + "\n") +
-              WrappedText("girdle verify --full shows every residual." + rest, style.width) + "\n" + verdict};
+              WrappedText("girdle verify --full shows every residual." + rest, style.width) + "\n" +
+              verdict};
 }
 
 std::string SummaryAsText(const ResidualReport& report, const TextStyle& style) {

@@ -102,7 +102,8 @@ std::string SubjectText(const ResidualReport& report, std::size_t width) {
   const auto line = [width](const char* label, const std::string& text) {
     return LabelledText(label, text, 0, kLabelWidth, width);
   };
-  return line("model", EndOf(report.model, width - std::min(width, kLabelWidth))) + line("kind", report.kind) + line("rhythm", report.rhythm) +
+  return line("model", EndOf(report.model, width - std::min(width, kLabelWidth))) +
+         line("kind", report.kind) + line("rhythm", report.rhythm) +
          line("engine", "MuJoCo " + report.engine);
 }
 

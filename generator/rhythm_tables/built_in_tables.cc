@@ -21,7 +21,7 @@ BuiltInTable DefaultTable(Interpolation interpolation) noexcept {
 RhythmTable BuiltInRhythmTable(BuiltInTable table) {
   const bool is_smoothed = table == BuiltInTable::kSmoothed;
   std::istringstream in{std::string(is_smoothed ? built_in_files::kLudewig2009Smoothed
-                                                 : built_in_files::kLudewig2009)};
+                                                : built_in_files::kLudewig2009)};
   return ReadRhythmTable(in,
                          is_smoothed ? "data/ludewig2009_smoothed.csv" : "data/ludewig2009.csv");
 }

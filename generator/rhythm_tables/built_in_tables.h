@@ -13,7 +13,7 @@
 namespace girdle {
 
 enum class BuiltInTable {
-  kMeasured,   ///< as published: data/ludewig2009.csv
+  kMeasured,  ///< as published: data/ludewig2009.csv
   kSmoothed,  ///< without the steps where people drop out: data/ludewig2009_smoothed.csv
 };
 

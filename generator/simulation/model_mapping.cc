@@ -96,9 +96,8 @@ class MappingReader {
       ReadBone(*segment);
     } else {
       csv_.Fail("part " + Quoted(part) + " is not known. " + MeantPart(part) +
-                "Choose one of: " + std::string(kSide) +
-                ", " + std::string(kArm) + ", " + Listed(kSegmentNames) +
-                ", or a landmark: " + Listed(kLandmarkNames));
+                "Choose one of: " + std::string(kSide) + ", " + std::string(kArm) + ", " +
+                Listed(kSegmentNames) + ", or a landmark: " + Listed(kLandmarkNames));
     }
   }
 

@@ -119,9 +119,9 @@ struct MedianCone {
   double to_radius_mm;
 };
 constexpr MedianCone kNeckAndFace[] = {
-    {{-76, 10, 0}, 54, {-66, 165, 0}, 47},   // neck
-    {{-28, 196, 0}, 62, {-4, 128, 0}, 42},   // face
-    {{-32, 126, 0}, 40, {14, 110, 0}, 22},   // jaw and chin
+    {{-76, 10, 0}, 54, {-66, 165, 0}, 47},  // neck
+    {{-28, 196, 0}, 62, {-4, 128, 0}, 42},  // face
+    {{-32, 126, 0}, 40, {14, 110, 0}, 22},  // jaw and chin
     {{36, 202, 0}, 7, {46, 174, 0}, 9},     // nose
 };
 constexpr double kWaistCut_mm = -390;

@@ -56,8 +56,8 @@ std::uint64_t RoundedUnits(double value, int d) {
   if (shift > kProductBits) {
     return 0;
   }
-  const Uint128 product = Uint128{(bits & (kHiddenBit - 1)) | kHiddenBit} *
-                          kPowersOfFive[static_cast<std::size_t>(d)];
+  const Uint128 product =
+      Uint128{(bits & (kHiddenBit - 1)) | kHiddenBit} * kPowersOfFive[static_cast<std::size_t>(d)];
   // Just under one half more, and one half where the digit would be odd: what is left falls down.
   const Uint128 under_half = (Uint128{1} << (shift - 1)) - 1;
   const Uint128 odd = (product >> shift) & 1;
@@ -140,7 +140,8 @@ std::string SignificantText(double value, int digits) {
 void AppendRounded(std::string& text, double value, int decimals) {
   const bool is_fast = std::abs(value) < kFastBelow && decimals <= kMostFastDecimals;
   const std::uint64_t units = is_fast ? RoundedUnits(value, decimals) : 0;
-  const std::uint64_t units_per_one = is_fast ? kPowersOfTen[static_cast<std::size_t>(decimals)] : 1;
+  const std::uint64_t units_per_one =
+      is_fast ? kPowersOfTen[static_cast<std::size_t>(decimals)] : 1;
   // A number just below 1000 may be rounded up to it.
   if (!is_fast || units >= static_cast<std::uint64_t>(kFastBelow) * units_per_one) {
     text += RoundedText(value, decimals);

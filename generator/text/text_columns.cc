@@ -71,7 +71,8 @@ std::string WrappedText(const std::string& text, std::size_t width, std::size_t 
   bool is_first = true;
   for (std::string line; std::getline(lines, line); is_first = false) {
     wrapped += is_first ? "" : "\n" + std::string(line.empty() ? 0 : indent, ' ');
-    wrapped += line.starts_with(' ') ? line : WrappedLine(line, width, indent, is_first ? 0 : indent);
+    wrapped +=
+        line.starts_with(' ') ? line : WrappedLine(line, width, indent, is_first ? 0 : indent);
   }
   return wrapped;
 }

@@ -78,15 +78,14 @@ TEST_P(BadAnatomyLine, IsRefusedWithThePlaceAndWhatIsExpected) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, BadAnatomyLine,
-    testing::Values(BadLine{"Empty", "", "IJ with 3 numbers"},
-                    BadLine{"AnotherName", Replaced("IJ 0 0 0", "XY 0 0 0"), "IJ with 3 numbers"},
-                    BadLine{"ANumberMissing", Replaced("IJ 0 0 0", "IJ 0 0"), "IJ with 3 numbers"},
-                    BadLine{"ANumberTooMuch", Replaced("IJ 0 0 0", "IJ 0 0 0 0"),
-                            "IJ with 3 numbers"},
-                    BadLine{"NotANumber", Replaced("IJ 0 0 0", "IJ 0 nan 0"), "IJ with 3 numbers"},
-                    BadLine{"NoEnd", Replaced("; adult_proportions 1", ""),
-                            "adult_proportions with 1 number"},
-                    BadLine{"TooLong", std::string(1'000'000, 'x'), "IJ with 3 numbers"}),
+    testing::Values(
+        BadLine{"Empty", "", "IJ with 3 numbers"},
+        BadLine{"AnotherName", Replaced("IJ 0 0 0", "XY 0 0 0"), "IJ with 3 numbers"},
+        BadLine{"ANumberMissing", Replaced("IJ 0 0 0", "IJ 0 0"), "IJ with 3 numbers"},
+        BadLine{"ANumberTooMuch", Replaced("IJ 0 0 0", "IJ 0 0 0 0"), "IJ with 3 numbers"},
+        BadLine{"NotANumber", Replaced("IJ 0 0 0", "IJ 0 nan 0"), "IJ with 3 numbers"},
+        BadLine{"NoEnd", Replaced("; adult_proportions 1", ""), "adult_proportions with 1 number"},
+        BadLine{"TooLong", std::string(1'000'000, 'x'), "IJ with 3 numbers"}),
     [](const testing::TestParamInfo<BadLine>& bad) { return bad.param.what; });
 
 }  // namespace

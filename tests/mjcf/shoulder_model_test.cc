@@ -305,18 +305,13 @@ struct NamedPlace {
   double plane_deg;
 };
 
-constexpr NamedPlace kPlaces[] = {{"hanging", 0, 0},
-                                  {"relaxed", 0, 0},
-                                  {"abduction_30", 30, 0},
-                                  {"abduction_60", 60, 0},
-                                  {"abduction_90", 90, 0},
-                                  {"abduction_120", 120, 0},
-                                  {"abduction_150", 150, 0},
-                                  {"flexion_90", 90, 90},
-                                  {"across_90", 90, 120}};
+constexpr NamedPlace kPlaces[] = {
+    {"hanging", 0, 0},         {"relaxed", 0, 0},       {"abduction_30", 30, 0},
+    {"abduction_60", 60, 0},   {"abduction_90", 90, 0}, {"abduction_120", 120, 0},
+    {"abduction_150", 150, 0}, {"flexion_90", 90, 90},  {"across_90", 90, 120}};
 
 // The lowest position that is measured stands for rest.
-constexpr NamedPlace kPublishedPlaces[] = {{"hanging", 15, 0},           {"abduction_30", 30, 0},
+constexpr NamedPlace kPublishedPlaces[] = {{"hanging", 15, 0},        {"abduction_30", 30, 0},
                                            {"abduction_60", 60, 0},   {"abduction_90", 90, 0},
                                            {"abduction_120", 120, 0}, {"flexion_90", 90, 90}};
 

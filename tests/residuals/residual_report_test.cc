@@ -70,8 +70,7 @@ TEST(Summary, ShowsOfEachKindTheResidualNearestToItsTolerance) {
   EXPECT_EQ(LineOf(text, "joint constraint"),
             "joint constraint   0.02  0.03 mm          2  1 Hz 90/-30")
       << text;
-  EXPECT_EQ(LineOf(text, "skin"),
-            "skin                  9  > 8 mm           1  30 to 120/0")
+  EXPECT_EQ(LineOf(text, "skin"), "skin                  9  > 8 mm           1  30 to 120/0")
       << text;
   EXPECT_EQ(LineOf(text, "range"), "range              64.8  none, deg        0  grid 62.5/-95")
       << text;

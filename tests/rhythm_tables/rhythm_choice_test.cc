@@ -123,9 +123,9 @@ TEST(Resolve, FillsInTheDefaultsOfEveryCombination) {
           EXPECT_EQ(resolved.table_name(), name);
           // The table that is named is the one that is used.
           const RhythmTable expected =
-              name == "measured"    ? BuiltInRhythmTable(BuiltInTable::kMeasured)
+              name == "measured"   ? BuiltInRhythmTable(BuiltInTable::kMeasured)
               : name == "smoothed" ? BuiltInRhythmTable(BuiltInTable::kSmoothed)
-                                    : SmallTable();
+                                   : SmallTable();
           EXPECT_EQ(RhythmTableToLine(resolved.table), RhythmTableToLine(expected));
           EXPECT_EQ(resolved.built_in().has_value(), name != "the model's own");
         }
