@@ -145,9 +145,12 @@ std::vector<std::string> WrittenAngleNames() {
 
 WrittenAngles AnglesOf(const WrittenRotations& rotations) noexcept {
   const auto& [sc, ac, gh, st, ht] = rotations;
-  const JointAngles joints_rad = AnglesFromPose({sc, ac, gh});
-  const Vector3 st_rad = EulerFromQuaternion(EulerSequence::kYXZ, st);
-  WrittenAngles angles_rad;
+  return WithScapulothoracic(AnglesFromPose({sc, ac, gh}), st);
+}
+
+WrittenAngles WithScapulothoracic(const JointAngles& joints_rad, const Quaternion& q_TS) noexcept {
+  const Vector3 st_rad = EulerFromQuaternion(EulerSequence::kYXZ, q_TS);
+  WrittenAngles angles_rad{};
   std::ranges::copy(joints_rad, angles_rad.begin());
   std::ranges::copy(std::array{st_rad.x, st_rad.y, st_rad.z},
                     angles_rad.begin() + kCoordinateCount);

@@ -74,6 +74,10 @@ inline constexpr std::size_t kWrittenAngleCount = kCoordinateCount + kScapulotho
 using WrittenAngles = std::array<double, kWrittenAngleCount>;
 [[nodiscard]] std::vector<std::string> WrittenAngleNames();
 
+/// Returns the angles of the joints with those of the scapula in the thorax behind them [rad].
+[[nodiscard]] WrittenAngles WithScapulothoracic(const JointAngles& joints_rad,
+                                                const Quaternion& q_TS) noexcept;
+
 /// Returns the angles [rad] of RotationsOf in the order of WrittenAngleNames; ranges as in
 /// AnglesFromPose.
 [[nodiscard]] WrittenAngles AnglesOf(const WrittenRotations& rotations) noexcept;

@@ -154,10 +154,7 @@ class RowAnswers {
     } else if (output_.since) {
       row.angles_rad = AnglesOf(RotationsOf(pose, output_.since));
     } else {
-      const Vector3 st_rad = EulerFromQuaternion(EulerSequence::kYXZ, pose.q_TS());
-      std::ranges::copy(joints_rad, row.angles_rad.begin());
-      std::ranges::copy(std::array{st_rad.x, st_rad.y, st_rad.z},
-                        row.angles_rad.begin() + kCoordinateCount);
+      row.angles_rad = WithScapulothoracic(joints_rad, pose.q_TS());
     }
   }
 
