@@ -59,6 +59,7 @@ std::size_t WidestLine(const std::string& text) {
 std::string NarrowTable(const ResidualReport& report, const TextStyle& style) {
   constexpr std::size_t kIndent = 2;
   std::vector<std::vector<std::string>> rows;
+  rows.reserve(report.residuals.size());
   for (const Residual& residual : report.residuals) {
     rows.push_back({SignificantText(residual.value, kReportedDigits), ToleranceText(residual),
                     residual.unit, ResultText(residual)});
