@@ -4,7 +4,9 @@
 #include "anatomy/anatomy_line.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <glm/geometric.hpp>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -102,6 +104,42 @@ std::optional<std::vector<double>> NumbersOf(const std::string& row, const std::
   return numbers;
 }
 
+constexpr const char* kRemedy = "Generate the model again with girdle generate";
+
+bool IsPositive(const Vector3& v) noexcept { return v.x > 0 && v.y > 0 && v.z > 0; }
+
+// Throws InputError if no body can be so.
+void ExpectPossible(const Anatomy& anatomy, const std::string& place) {
+  const auto expect = [&place](bool is_possible, std::string_view what) {
+    if (!is_possible) {
+      throw InputError(place + ": " + std::string(what) + " cannot be. " + kRemedy);
+    }
+  };
+  constexpr double kFarthest_m = 10;
+  const auto is_near = [](const Vector3& p_m) { return glm::length(p_m) <= kFarthest_m; };
+  for (std::size_t i = 0; i < kLandmarkCount; ++i) {
+    expect(is_near(anatomy.landmarks_m[i]), kLandmarks[i].name);
+  }
+  for (std::size_t i = 0; i < kSegmentCount; ++i) {
+    const SegmentInertia& segment = anatomy.segments[i];
+    expect(segment.mass_kg > 0 && IsPositive(segment.inertia_kg_m2) &&
+               is_near(segment.center_of_mass_m),
+           kSegmentNames[i]);
+  }
+  for (const auto& [name, ellipsoid] :
+       {std::pair("ribcage", anatomy.ribcage), std::pair("gliding", anatomy.gliding)}) {
+    expect(
+        IsPositive(ellipsoid.radii_m) && is_near(ellipsoid.radii_m) && is_near(ellipsoid.center_m),
+        name);
+  }
+  for (std::size_t i = 0; i < kLigamentCount; ++i) {
+    expect(anatomy.ligaments[i].slack_m > 0 && anatomy.ligaments[i].stiffness_N_per_m > 0,
+           kLigamentNames[i]);
+  }
+  expect(anatomy.jugular_notch_height_m > 0 && anatomy.jugular_notch_height_m <= kFarthest_m,
+         "jugular_notch_height");
+}
+
 }  // namespace
 
 std::string AnatomyAsLine(const Anatomy& anatomy) {
@@ -119,14 +157,16 @@ std::string AnatomyAsLine(const Anatomy& anatomy) {
 
 Anatomy AnatomyFromLine(const std::string& line, const std::string& place) {
   constexpr std::size_t kLongestLine = 20'000;
+  if (line.size() > kLongestLine) {
+    throw InputError(place + ": is longer than any anatomy. " + kRemedy);
+  }
   const auto fail = [&place](const std::string& name, std::size_t count) {
     throw InputError(place + ": expected " + name + " with " + CountText(count, "number") +
                      ". Generate the model again with girdle generate");
   };
   Anatomy anatomy;
   const std::vector<Row<double>> rows = RowsOf<Anatomy, double>(anatomy);
-  const std::vector<std::string> texts =
-      line.size() > kLongestLine ? std::vector<std::string>() : Parts(line, kBetweenRows);
+  const std::vector<std::string> texts = Parts(line, kBetweenRows);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::size_t count = rows[i].numbers.size();
     const auto numbers = i < texts.size() ? NumbersOf(texts[i], rows[i].name, count) : std::nullopt;
@@ -144,7 +184,24 @@ Anatomy AnatomyFromLine(const std::string& line, const std::string& place) {
     fail(std::string(kProportionsName), 1);
   }
   anatomy.has_adult_proportions = adult->front() != 0;
+  ExpectPossible(anatomy, place);
   return anatomy;
+}
+
+bool IsSame(const Anatomy& a, const Anatomy& b) {
+  constexpr double kRounding = 1e-9;
+  const auto rows_a = RowsOf<const Anatomy, const double>(a);
+  const auto rows_b = RowsOf<const Anatomy, const double>(b);
+  for (std::size_t i = 0; i < rows_a.size(); ++i) {
+    for (std::size_t k = 0; k < rows_a[i].numbers.size(); ++k) {
+      const double number = *rows_a[i].numbers[k];
+      if (!(std::abs(number - *rows_b[i].numbers[k]) <=
+            kRounding * std::max(1.0, std::abs(number)))) {
+        return false;
+      }
+    }
+  }
+  return a.has_adult_proportions == b.has_adult_proportions;
 }
 
 }  // namespace girdle

@@ -19,8 +19,13 @@ namespace girdle {
 [[nodiscard]] std::string AnatomyAsLine(const Anatomy& anatomy);
 
 /// Returns the anatomy of a line. Throws InputError that names `place` if the line is not one that
-/// AnatomyAsLine returns: another row than expected, another count of numbers, or a number that is
-/// not finite.
+/// AnatomyAsLine returns: another row than expected, another count of numbers, a number that is not
+/// finite, a length of more than 10 m, or a mass, moment of inertia, radius, stiffness or height
+/// that is not positive.
 [[nodiscard]] Anatomy AnatomyFromLine(const std::string& line, const std::string& place);
+
+/// Returns whether two anatomies have equal numbers, but for the rounding of the machines that
+/// computed them: 1e-9 of a number or, of small ones, 1e-9.
+[[nodiscard]] bool IsSame(const Anatomy& a, const Anatomy& b);
 
 }  // namespace girdle

@@ -18,7 +18,7 @@ namespace girdle {
 /// stay as they are.
 class HelpFormatter : public CLI::Formatter {
  public:
-  /// `width` is the most bytes of a line, at least 40.
+  /// `width` is the most bytes of a line, at least 60.
   explicit HelpFormatter(std::size_t width) : width_(width) { label("Positionals", "Argument"); }
 
   std::string make_help(const CLI::App* app, std::string name,

@@ -39,7 +39,9 @@ std::vector<std::string> TypedWords(int argc, char** argv) {
   std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
   if (!words.empty() && words.front() == "help") {
     words.erase(words.begin());
-    words.resize(std::min<std::size_t>(words.size(), 1));
+    if (words.size() > 1 || (words.size() == 1 && words.front().starts_with('-'))) {
+      throw InputError("girdle help takes one verb, such as girdle help solve");
+    }
     words.emplace_back("--help");
   }
   return words;
@@ -70,6 +72,8 @@ int Run(int argc, char** argv) {
       "girdle help VERB tells more, with examples.");
   std::vector<std::string> words = TypedWords(argc, argv);
   ExpectKnownWords(program, words);
+  const std::string command =
+      words.empty() || words.front().starts_with('-') ? "girdle" : "girdle " + words.front();
   try {
     std::ranges::reverse(words);  // CLI11 takes the last one first
     program.parse(std::move(words));
@@ -79,7 +83,7 @@ int Run(int argc, char** argv) {
     Print(text.str());
     return kFine;
   } catch (const CLI::ParseError& error) {
-    throw InputError(std::string(error.what()) + "\n" + kSeeHelp);
+    throw InputError(std::string(error.what()) + "\nSee " + command + " --help");
   }
   if (program.get_subcommands().empty()) {
     throw InputError("no verb. Give one, such as girdle solve --elevation 90 --plane 40\n" +

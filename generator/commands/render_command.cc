@@ -102,7 +102,7 @@ void Render(const RenderArguments& arguments) {
 void AddRenderCommand(CLI::App& program) {
   auto arguments = std::make_shared<RenderArguments>();
   CLI::App* verb = program.add_subcommand("render", "A picture of a model in a pose, as PNG");
-  verb->add_option("model", arguments->model, "Model or scene, MJCF or MJB")
+  verb->add_option("MODEL", arguments->model, "Model or scene, MJCF or MJB")
       ->type_name("MODEL")
       ->required();
   verb->add_option("--out", arguments->out, "PNG to write")->type_name("FILE")->required();
@@ -132,8 +132,7 @@ void AddRenderCommand(CLI::App& program) {
                kPicturesHelp +
                "\nExamples:\n"
                "  girdle render scene.xml --keyframe abduction_90 --out abduction.png\n"
-               "  girdle render scene.xml --elevation 120 --girdle frozen --camera back --out "
-               "frozen.png");
+               "  girdle render scene.xml --elevation 120 --camera back --out raised.png");
   verb->callback([arguments] { Render(*arguments); });
 }
 

@@ -312,7 +312,7 @@ void AddSimulateCommand(CLI::App& program) {
   auto arguments = std::make_shared<SimulateArguments>();
   CLI::App* verb = program.add_subcommand(
       "simulate", "Move a model's arm without a screen and write its joints");
-  verb->add_option("model", arguments->model, "Model or scene, MJCF or MJB")
+  verb->add_option("MODEL", arguments->model, "Model or scene, MJCF or MJB")
       ->type_name("MODEL")
       ->required();
   {
@@ -341,18 +341,18 @@ void AddSimulateCommand(CLI::App& program) {
   }
   {
     const OptionGroup group(*verb, "Outputs");
-    verb->add_option(
-            "--out", arguments->out,
-            "CSV to write: commands, targets and joint angles, a row a step; - for standard "
-            "output")
+    verb->add_option("--out", arguments->out,
+                     "CSV to write: commands, targets and joint angles, one row for each step; - "
+                     "for standard "
+                     "output")
         ->type_name("FILE");
     verb->add_option("--side", arguments->side,
                      "Shoulder that --out is of (default: the model's, or the right one of both)")
         ->type_name("right|left");
-    verb->add_option(
-            "--out-controls", arguments->controls,
-            "CSV to write: the controls of position servos, a row a step, for a model made "
-            "with --actuation position; - for standard output")
+    verb->add_option("--out-controls", arguments->controls,
+                     "CSV to write: the controls of position servos, one row for each step, for a "
+                     "model made "
+                     "with --actuation position; - for standard output")
         ->type_name("FILE");
     verb->add_option("--out-picture", arguments->picture, "PNG to write: the last instant")
         ->type_name("FILE");

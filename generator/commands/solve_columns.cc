@@ -18,8 +18,18 @@ using Stems = std::vector<std::string>;
 
 constexpr std::array<const char*, 3> kAxes = {"_x", "_y", "_z"};
 
+// What the names of rotations have behind their stems.
+std::string SinceText(const SolveOutput& output) { return output.since ? "_since_hanging" : ""; }
+
 Stems AngleStems(const SolveOutput& output) {
-  return output.form == RotationForm::kAngles ? WrittenAngleNames() : Stems();
+  if (output.form != RotationForm::kAngles) {
+    return {};
+  }
+  Stems stems = WrittenAngleNames();
+  for (std::string& stem : stems) {
+    stem += SinceText(output);
+  }
+  return stems;
 }
 
 constexpr std::array<const char*, 4> kQuaternionParts = {"_qw", "_qx", "_qy", "_qz"};
@@ -28,7 +38,7 @@ Stems QuaternionStems(const SolveOutput& output) {
   for (const std::string_view rotation : kWrittenRotationNames) {
     for (const char* const part : kQuaternionParts) {
       if (output.form == RotationForm::kQuaternions) {
-        stems.push_back(std::string(rotation) + part);
+        stems.push_back(std::string(rotation) + SinceText(output) + part);
       }
     }
   }

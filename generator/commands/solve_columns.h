@@ -97,7 +97,8 @@ struct SolvedRow {
 
 /// Returns the columns in their order:
 ///
-/// The angles, `sc_protraction_deg` and so on, or as quaternions `sc_qw` and so on; `clamped`, the
+/// The angles, `sc_protraction_deg` and so on, or as quaternions `sc_qw` and so on, with
+/// `_since_hanging` behind the stem where they are counted from the hanging arm; `clamped`, the
 /// direction that is answered, `used_elevation_deg` and `used_plane_deg`; `distance_deg`, `origin`;
 /// `used_axial_deg`, the humerus's turn on top of the rhythm's own, and `used_axial_isb_deg`, ISB's
 /// third angle; the offsets of the clavicle that were left, `used_shrug_deg` and

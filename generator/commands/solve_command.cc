@@ -35,6 +35,7 @@
 #include "names/model_names.h"
 #include "text/input_error.h"
 #include "text/json_text.h"
+#include "text/near_names.h"
 #include "text/number_text.h"
 #include "text/text_columns.h"
 #include "text/text_file.h"
@@ -236,7 +237,13 @@ SolveOutput ChosenOutput(const SolveArguments& arguments, const ShoulderRhythm& 
   ChooseWord("--as", arguments.form, output.form);
   if (!arguments.since.empty()) {
     if (arguments.since != kHangingName) {
-      throw InputError("--relative-to " + arguments.since + ": not known. Choose hanging");
+      throw InputError("--relative-to " + arguments.since + ": not known. " +
+                       DidYouMean(arguments.since, std::array{kHangingName}) + "Choose hanging");
+    }
+    if (arguments.derivatives) {
+      throw InputError(
+          "--derivatives and --relative-to: derivatives are of the angles from each joint's zero. "
+          "Leave one of them away");
     }
     output.since = HangingPose(rhythm);
   }
@@ -371,14 +378,14 @@ std::string DerivativesAsText(const ShoulderDerivatives& derivatives, int digits
 
 // What the command used differs from the one given by.
 std::string UsedAsText(const ShoulderRhythm& rhythm, const ArmCommand& given,
-                       const ArmCommand& used) {
+                       const ArmCommand& used, int digits) {
   std::string differing;
   const bool is_other_plane =
       rhythm.IsClamped({used.elevation_rad, given.plane_rad}, {used.elevation_rad, used.plane_rad});
-  const auto add = [&differing](const char* name, double given_rad, double used_rad) {
+  const auto add = [&differing, digits](const char* name, double given_rad, double used_rad) {
     if (given_rad != used_rad) {
       differing += (differing.empty() ? "" : ", ") + std::string(name) + " " +
-                   RoundedText(DegreesFromRadians(used_rad), kDecimals) + " deg";
+                   RoundedText(DegreesFromRadians(used_rad), digits) + " deg";
     }
   };
   add("elevation", given.elevation_rad, used.elevation_rad);
@@ -394,9 +401,10 @@ std::string UsedAsText(const ShoulderRhythm& rhythm, const ArmCommand& given,
 std::string PoseAsText(const ShoulderRhythm& rhythm, const TypedPose& typed,
                        const ShoulderSolution& solution, const SolveOutput& output) {
   const CellEdges edges = EdgesOf(rhythm.table(), solution.cell);
-  const auto range = [](double from_deg, double to_deg, double weight) {
-    return RoundedText(from_deg, kDecimals) + " to " + RoundedText(to_deg, kDecimals) +
-           " deg, weight " + RoundedText(weight, kDecimals) + "\n";
+  const int digits = output.digits;
+  const auto range = [digits](double from_deg, double to_deg, double weight) {
+    return RoundedText(from_deg, digits) + " to " + RoundedText(to_deg, digits) + " deg, weight " +
+           RoundedText(weight, digits) + "\n";
   };
   std::string text =
       "elevation cell  " +
@@ -404,19 +412,19 @@ std::string PoseAsText(const ShoulderRhythm& rhythm, const TypedPose& typed,
       "plane cell      " +
       range(edges.plane_from_deg, edges.plane_to_deg, solution.cell.plane_weight);
   if (solution.clamped) {
-    text += UsedAsText(rhythm, typed.command(), solution.used);
+    text += UsedAsText(rhythm, typed.command(), solution.used, digits);
   }
   text += "origin          " + std::string(Name(solution.origin));
   if (solution.distance_rad > 0) {
     text += (solution.clamped ? ", in answer to a direction " : ", ") +
-            RoundedText(DegreesFromRadians(solution.distance_rad), kDecimals) +
+            RoundedText(DegreesFromRadians(solution.distance_rad), digits) +
             " deg from measured positions";
   }
   text +=
-      "\naxial           " + RoundedText(DegreesFromRadians(solution.used.axial_rad), kDecimals) +
+      "\naxial           " + RoundedText(DegreesFromRadians(solution.used.axial_rad), digits) +
       " deg from the rhythm's own turn, ISB " +
       RoundedText(DegreesFromRadians(rhythm.AxialOf(AxialFrom::kIsb, solution.pose, solution.used)),
-                  kDecimals) +
+                  digits) +
       " deg";
   text += "\n\n" + RotationsAsText(solution.pose, output);
   if (output.points_of) {
@@ -453,8 +461,9 @@ void SolveOne(const SolveArguments& arguments) {
 
 void SolvePosture(const SolveArguments& arguments) {
   if (*arguments.posture != kRelaxedName) {
-    throw InputError("--posture " + *arguments.posture +
-                     ": not known. Choose one of: " + std::string(kRelaxedName));
+    throw InputError("--posture " + *arguments.posture + ": not known. " +
+                     DidYouMean(*arguments.posture, std::array{kRelaxedName}) +
+                     "Choose one of: " + std::string(kRelaxedName));
   }
   if (arguments.elevation_deg || arguments.plane_deg || arguments.axial_deg ||
       !arguments.axial_from.empty() || arguments.shrug_deg || arguments.protraction_deg ||
@@ -656,7 +665,7 @@ void AddSolveCommand(CLI::App& program) {
     verb->add_option(
             "--relative-to", arguments->since,
             "hanging: every rotation is the turn since the arm was hanging, about the axes "
-            "that the bone has there")
+            "that the bone has there; needs a rhythm that is smooth, exact and whole")
         ->type_name("hanging");
     verb->add_option("--digits", arguments->digits,
                      "Decimals of the numbers in CSV and text, 0 to 15 (default 6)")

@@ -14,7 +14,7 @@
 namespace girdle {
 namespace {
 
-constexpr std::size_t kNarrowest = 40;
+constexpr std::size_t kNarrowest = 60;
 constexpr std::size_t kWidest = 200;
 
 std::string_view Variable(const char* name) {

@@ -10,7 +10,7 @@ namespace girdle {
 
 /// Returns how texts for people are written to standard output.
 ///
-/// On a terminal lines have the terminal's width, at least 40 and at most 200 columns, and there is
+/// On a terminal lines have the terminal's width, at least 60 and at most 200 columns, and there is
 /// colour unless the environment variable NO_COLOR has a value (no-color.org) or TERM is `dumb`. In
 /// a file or a pipe lines have 80 columns and there is no colour.
 [[nodiscard]] TextStyle StyleOfStandardOutput();

@@ -32,6 +32,9 @@ constexpr std::array<Renaming, 9> kRenamedOptions = {{{"--raise", "--elevation"}
                                                       {"--pose", "--posture"},
                                                       {"--thorax", "--ellipsoids"}}};
 
+// Words behind it are no options.
+constexpr std::string_view kEndOfOptions = "--";
+
 std::optional<std::string_view> NewNameOf(std::string_view old_name,
                                           const std::vector<std::string_view>& known,
                                           const auto& renamings) {
@@ -64,7 +67,10 @@ std::vector<std::string_view> ViewsOf(const std::vector<std::string>& words) {
 void ExpectNoEmptyWord(const std::vector<std::string>& words) {
   std::string before = "the first word";
   for (const std::string& word : words) {
-    if (word.empty() || (word.starts_with("--") && word.ends_with("="))) {
+    if (word == kEndOfOptions) {
+      return;
+    }
+    if (word.empty() || (word.starts_with("--") && word.find('=') == word.size() - 1)) {
       throw InputError((word.empty() ? before : word.substr(0, word.size() - 1)) +
                        " '': is empty. Give it a value or leave it away");
     }
@@ -107,19 +113,30 @@ const CLI::App& VerbOf(const CLI::App& program, const std::string& word) {
     }
   }
   throw InputError(option + ": " + command + " has no such option. " +
-                   (owners.empty() ? "" : "It belongs to " + owners + ". ") +
-                   DidYouMean(option, known) + "See " + command + " --help");
+                   (owners.empty() ? DidYouMean(option, known) : "It belongs to " + owners + ". ") +
+                   "See " + command + " --help");
 }
 
 }  // namespace
 
 void ExpectKnownWords(const CLI::App& program, const std::vector<std::string>& words) {
   ExpectNoEmptyWord(words);
-  if (words.empty() || words.front().starts_with('-')) {
+  if (words.empty()) {
+    return;
+  }
+  if (words.front().starts_with("--") && !HasOption(program, words.front())) {
+    throw InputError(words.front() +
+                     ": stands before the verb. Give the verb first, such as girdle solve "
+                     "--elevation 90 --plane 40\nSee girdle --help");
+  }
+  if (words.front().starts_with('-')) {
     return;
   }
   const CLI::App& verb = VerbOf(program, words.front());
   for (const std::string& word : words) {
+    if (word == kEndOfOptions) {
+      return;
+    }
     const std::string option = word.substr(0, word.find('='));
     if (option.starts_with("--") && option.size() > 2 && !HasOption(verb, option)) {
       RefuseOption(program, verb, option);

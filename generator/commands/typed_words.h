@@ -13,11 +13,12 @@ namespace girdle {
 /// Throws InputError at the first word of the command line that cannot be right:
 ///
 /// - an empty word, or an option with an empty value, which a shell variable without value leaves;
-/// - a first word that is no verb of the program;
+/// - a first word that is no verb and no option of the program;
 /// - an option that the verb does not have. The message names the option's new name if it was
 ///   renamed, the verbs that have it, or the option that it is a slip of.
 ///
-/// `words` are those behind the program's name. Values of options are not looked at.
+/// `words` are those behind the program's name. Values of options, and words behind
+/// `--`, are not checked.
 void ExpectKnownWords(const CLI::App& program, const std::vector<std::string>& words);
 
 }  // namespace girdle

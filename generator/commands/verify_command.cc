@@ -115,7 +115,7 @@ bool Verify(const VerifyArguments& arguments) {
 void AddVerifyCommand(CLI::App& program, int& status) {
   auto arguments = std::make_shared<VerifyArguments>();
   CLI::App* verb = program.add_subcommand("verify", "The residual report of a model");
-  verb->add_option("model", arguments->model, "Model or scene, MJCF or MJB")
+  verb->add_option("MODEL", arguments->model, "Model or scene, MJCF or MJB")
       ->type_name("MODEL")
       ->required();
   verb->add_flag("--full", arguments->full, "Every residual in place of a summary");

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <fstream>
 #include <optional>
 #include <stdexcept>
@@ -304,8 +305,16 @@ std::string KeyframeNames(const mjModel& model) {
 // What the user meant by a keyframe that the model does not have; ends in a blank unless empty.
 std::string MeantKeyframe(const mjModel& model, const std::string& name) {
   const std::vector<std::string_view> names = KeyframesOf(model);
-  const bool is_old_name = name == "rest" && std::ranges::count(names, kHangingName) > 0;
-  return is_old_name ? "The keyframe rest is now called hanging. " : DidYouMean(name, names);
+  // Its name before version 0.2.
+  constexpr std::string_view kOldName = "rest";
+  const auto has = [&names](std::string_view key) { return std::ranges::count(names, key) > 0; };
+  if (name == kOldName && has(kHangingName)) {
+    return "The keyframe rest is now called hanging. ";
+  }
+  if (name == kHangingName && has(kOldName)) {
+    return "In this older model it is called rest. ";
+  }
+  return DidYouMean(name, names);
 }
 
 // Number of the keyframe asked for; -1 for where the model starts.
@@ -406,13 +415,15 @@ std::optional<Anatomy> OwnAnatomy(const LoadedShoulders& loaded) {
   if (text < 0) {
     return std::nullopt;
   }
-  return AnatomyFromLine(model.text_data + model.text_adr[text],
-                         loaded.name() + ": <text name=\"" + std::string(kAnatomyName) + "\">");
+  const char* const line = model.text_data + model.text_adr[text];
+  return AnatomyFromLine(
+      std::string(line, strnlen(line, static_cast<std::size_t>(model.text_size[text]))),
+      loaded.name() + ": <text name=\"" + std::string(kAnatomyName) + "\">");
 }
 
 // What a reader of the report has to know of the anatomy that the bones are compared with.
 std::string AnatomyRemark(const std::optional<Anatomy>& said, const std::optional<Anatomy>& own) {
-  if (said && own && AnatomyAsLine(*said) != AnatomyAsLine(*own)) {
+  if (said && own && !IsSame(*said, *own)) {
     return "The model was generated with another anatomy than --anatomy, --ellipsoids or the "
            "measures give; without them it is compared with its own.";
   }
@@ -452,6 +463,9 @@ VerifyResult Verify(const std::string& model_path, const std::string& plugin,
   report.kind =
       KindOf(simulation) + (girdle == GirdleMotion::kFrozen ? ", skin of a frozen girdle" : "");
   report.remark = AnatomyRemark(said_anatomy, own_anatomy);
+  if (!IsSame(anatomy, BuiltInAnatomy())) {
+    report.kind += said_anatomy ? ", bones as given" : ", bones of its own";
+  }
   report.residuals.insert(report.residuals.begin(),
                           TimestepResidual(simulation.model().opt, simulation.elements().assembly));
   return {ReportIn(form, report), report.passed()};

@@ -9,26 +9,27 @@
 #include <limits>
 #include <vector>
 
-#include "residuals/residual_report.h"
-#include "text/number_text.h"
+#include "residuals/report_parts.h"
 #include "text/text_columns.h"
 
 namespace girdle {
 namespace {
-
-constexpr int kSummaryDigits = 3;
 
 // All residuals of one kind.
 struct Kind {
   std::string group;
   const Residual* shown;    // the nearest to its tolerance; the first if none has one
   std::size_t checked = 0;  // how many have a tolerance
+  std::size_t failed = 0;
 };
 
 // How much of its tolerance a residual takes: 1 at the tolerance, more beyond it.
 double ShareOfTolerance(const Residual& residual) {
   if (!residual.tolerance) {
     return -1;
+  }
+  if (residual.value == 0 && *residual.tolerance == 0) {
+    return residual.passed() ? 0 : std::numeric_limits<double>::infinity();
   }
   const double share = residual.bound == Bound::kAtMost ? residual.value / *residual.tolerance
                                                         : *residual.tolerance / residual.value;
@@ -44,6 +45,7 @@ std::vector<Kind> KindsOf(const std::vector<Residual>& residuals) {
     Kind& kind =
         known == kinds.end() ? kinds.emplace_back(Kind{residual.group, &residual}) : *known;
     kind.checked += residual.tolerance ? 1 : 0;
+    kind.failed += residual.passed() ? 0 : 1;
     if (ShareOfTolerance(residual) > ShareOfTolerance(*kind.shown)) {
       kind.shown = &residual;
     }
@@ -70,51 +72,64 @@ std::string ShortPlace(const std::string& where) {
          where.substr(at_plane + plane.size());
 }
 
-std::string ToleranceWithUnit(const Residual& residual) {
+std::string LimitText(const Residual& residual) {
   if (!residual.tolerance) {
-    return "none, " + residual.unit;
+    return "no limit";
   }
-  return (residual.bound == Bound::kMoreThan ? "> " : "") +
-         SignificantText(*residual.tolerance, kSummaryDigits) + " " + residual.unit;
+  return (residual.bound == Bound::kMoreThan ? "> " : "<= ") + ValueText(*residual.tolerance);
 }
 
-std::string Cut(const std::string& line, std::size_t width) {
-  constexpr const char* kCut = "...";
-  return line.size() <= width ? line
-                              : line.substr(0, width - std::min<std::size_t>(width, 3)) + kCut;
+std::string CountsText(const Kind& kind) {
+  return std::to_string(kind.checked) +
+         (kind.failed > 0 ? ", " + std::to_string(kind.failed) + " FAIL" : "");
 }
 
-std::string TableOf(const std::vector<Kind>& kinds, const TextStyle& style) {
+// How much a table says of the place of a residual.
+enum class PlaceForm { kWhole, kDirection, kNone };
+
+std::string PlaceText(const Residual& residual, PlaceForm form) {
+  const std::string place = ShortPlace(residual.where);
+  switch (form) {
+    case PlaceForm::kWhole:
+      return place;
+    case PlaceForm::kDirection:
+      // "120.4/90" for "flexion 120.4/90"
+      return place == residual.where ? "" : place.substr(place.rfind(' ') + 1);
+    case PlaceForm::kNone:
+      break;
+  }
+  return "";
+}
+
+std::string TableWith(const std::vector<Kind>& kinds, PlaceForm form) {
   std::vector<std::vector<std::string>> rows = {
-      {"kind", "worst", "tolerance", "checked", "worst at elevation/plane"}};
+      {"kind", "worst", "tolerance", "checked",
+       form == PlaceForm::kNone ? "" : "at elevation/plane"}};
   for (const Kind& kind : kinds) {
-    rows.push_back({kind.group, SignificantText(kind.shown->value, kSummaryDigits),
-                    ToleranceWithUnit(*kind.shown), std::to_string(kind.checked),
-                    ShortPlace(kind.shown->where)});
+    rows.push_back({kind.group, ValueText(kind.shown->value) + " " + kind.shown->unit,
+                    LimitText(*kind.shown), CountsText(kind), PlaceText(*kind.shown, form)});
   }
-  const std::string table = ColumnsText(
-      rows,
-      {Alignment::kLeft, Alignment::kRight, Alignment::kLeft, Alignment::kRight, Alignment::kLeft});
-  std::string text;
-  std::size_t from = 0;
-  for (std::size_t end = table.find('\n'); end != std::string::npos; end = table.find('\n', from)) {
-    text += Cut(table.substr(from, end - from), style.width) + "\n";
-    from = end + 1;
+  return ColumnsText(rows, {Alignment::kLeft, Alignment::kRight, Alignment::kLeft});
+}
+
+// The table with as much of the places as there is room for.
+std::string TableOf(const std::vector<Kind>& kinds, const TextStyle& style) {
+  for (const PlaceForm form : {PlaceForm::kWhole, PlaceForm::kDirection}) {
+    const std::string table = TableWith(kinds, form);
+    if (WidestLine(table) <= style.width) {
+      return table;
+    }
   }
-  return text;
+  return TableWith(kinds, PlaceForm::kNone);
 }
 
 std::string FailureText(const Residual& residual, const TextStyle& style) {
-  const std::string value =
-      std::isfinite(residual.value)
-          ? SignificantText(residual.value, kSummaryDigits) + " " + residual.unit
-          : "not a number";
-  const std::string text =
-      "FAIL  " + residual.group + ", " + residual.item + ": " + value +
-      (residual.bound == Bound::kMoreThan ? ", must be more than " : ", must be at most ") +
-      SignificantText(*residual.tolerance, kSummaryDigits) + " " + residual.unit +
-      (residual.where.empty() ? "" : " (" + residual.where + ")");
-  constexpr std::size_t kIndent = 6;
+  constexpr std::size_t kIndent = 5;
+  const std::string text = "FAIL " + residual.group + ", " + residual.item + ": " +
+                           ValueText(residual.value) + " " + residual.unit + ", must be " +
+                           (residual.bound == Bound::kMoreThan ? "more than " : "at most ") +
+                           ValueText(*residual.tolerance) + " " + residual.unit +
+                           (residual.where.empty() ? "" : " (" + residual.where + ")");
   return Coloured(WrappedText(text, style.width, kIndent), Colour::kRed, style) + "\n";
 }
 
@@ -129,16 +144,16 @@ std::string FailuresOf(const ResidualReport& report, const TextStyle& style) {
 }  // namespace
 
 SummaryParts SummaryPartsOf(const ResidualReport& report, const TextStyle& style) {
-  const std::string verdict =
-      Coloured(VerdictText(report), report.passed() ? Colour::kGreen : Colour::kRed, style) + "\n";
+  const std::string verdict = VerdictText(report, style);
   const auto stated = std::ranges::count_if(
       report.residuals, [](const Residual& residual) { return !residual.tolerance; });
-  const std::string rest =
-      stated == 0 ? "" : " " + std::to_string(stated) + " values have no tolerance.";
-  return {SubjectText(report, style.width) + "\n" + verdict,
+  const std::string rest = stated == 0 ? ""
+                           : stated == 1
+                               ? " 1 value has no tolerance."
+                               : " " + std::to_string(stated) + " values have no tolerance.";
+  return {SubjectText(report, style.width) + "\n" + verdict + RemarkText(report, style),
           TableOf(KindsOf(report.residuals), style), FailuresOf(report, style),
-          (report.remark.empty() ? "" : WrappedText(report.remark, style.width) + "\n") +
-              WrappedText("girdle verify --full shows every residual." + rest, style.width) + "\n" +
+          WrappedText("girdle verify --full shows every residual." + rest, style.width) + "\n" +
               verdict};
 }
 

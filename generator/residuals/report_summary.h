@@ -16,17 +16,19 @@ namespace girdle {
 ///
 /// A row shows the residual that comes nearest to its tolerance or exceeds it most: its value, its
 /// tolerance, where it is, and how many residuals of its kind have a tolerance. A kind without any
-/// tolerance shows its first residual. Poses are written as elevation/plane [deg].
+/// tolerance shows its first residual. Poses are written as elevation/plane [deg], without the
+/// motion or not at all where the style is too narrow.
 [[nodiscard]] std::string SummaryAsText(const ResidualReport& report, const TextStyle& style);
 
-/// Returns the parts of the summary, for reports that put something of their own between them: what
-/// the report is about with the verdict, the table, the failures, and the remark with the verdict.
+/// The parts of a summary.
 struct SummaryParts {
-  std::string head;
+  std::string head;  ///< what the report is about, the verdict, and the remark
   std::string table;
   std::string failures;  ///< empty if there are none
-  std::string end;
+  std::string end;       ///< how to see all, and the verdict
 };
+
+/// Returns the parts of the summary, for reports that put something of their own between them.
 [[nodiscard]] SummaryParts SummaryPartsOf(const ResidualReport& report, const TextStyle& style);
 
 }  // namespace girdle

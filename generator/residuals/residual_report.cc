@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "residuals/report_parts.h"
 #include "residuals/report_summary.h"
 #include "text/json_text.h"
 #include "text/number_text.h"
@@ -17,14 +18,6 @@
 
 namespace girdle {
 namespace {
-
-constexpr int kReportedDigits = 3;
-
-std::string ToleranceText(const Residual& residual) {
-  return residual.tolerance ? (residual.bound == Bound::kMoreThan ? "> " : "") +
-                                  SignificantText(*residual.tolerance, kReportedDigits)
-                            : "-";
-}
 
 std::string ResultText(const Residual& residual) {
   return residual.follows      ? "follows"
@@ -40,19 +33,10 @@ std::string WideTable(const ResidualReport& report) {
   std::vector<std::vector<std::string>> rows = {
       {"residual", "of", "value", "tolerance", "unit", "result", "where"}};
   for (const Residual& residual : report.residuals) {
-    rows.push_back({residual.group, residual.item, SignificantText(residual.value, kReportedDigits),
+    rows.push_back({residual.group, residual.item, ValueText(residual.value),
                     ToleranceText(residual), residual.unit, ResultText(residual), residual.where});
   }
   return ColumnsText(rows, {kWords, kWords, kNumbers, kNumbers, kWords});
-}
-
-std::size_t WidestLine(const std::string& text) {
-  std::istringstream lines(text);
-  std::size_t widest = 0;
-  for (std::string line; std::getline(lines, line);) {
-    widest = std::max(widest, line.size());
-  }
-  return widest;
 }
 
 // The table without the columns of the kind, which becomes a heading, and of the pose.
@@ -61,8 +45,8 @@ std::string NarrowTable(const ResidualReport& report, const TextStyle& style) {
   std::vector<std::vector<std::string>> rows;
   rows.reserve(report.residuals.size());
   for (const Residual& residual : report.residuals) {
-    rows.push_back({SignificantText(residual.value, kReportedDigits), ToleranceText(residual),
-                    residual.unit, ResultText(residual)});
+    rows.push_back(
+        {ValueText(residual.value), ToleranceText(residual), residual.unit, ResultText(residual)});
   }
   std::istringstream numbers(ColumnsText(rows, {kNumbers, kNumbers, kWords}));
   const std::size_t numbers_width = WidestLine(numbers.str());
@@ -87,48 +71,13 @@ std::string NarrowTable(const ResidualReport& report, const TextStyle& style) {
   return text;
 }
 
-// A path that is too long without its beginning.
-std::string EndOf(const std::string& path, std::size_t width) {
-  constexpr std::string_view kCut = "...";
-  if (path.size() <= width || width <= kCut.size()) {
-    return path;
-  }
-  return std::string(kCut) + path.substr(path.size() - (width - kCut.size()));
-}
-
 }  // namespace
-
-std::string SubjectText(const ResidualReport& report, std::size_t width) {
-  constexpr std::size_t kLabelWidth = 8;
-  const auto line = [width](const char* label, const std::string& text) {
-    return LabelledText(label, text, 0, kLabelWidth, width);
-  };
-  return line("model", EndOf(report.model, width - std::min(width, kLabelWidth))) +
-         line("kind", report.kind) + line("rhythm", report.rhythm) +
-         line("engine", "MuJoCo " + report.engine);
-}
-
-std::string VerdictText(const ResidualReport& report) {
-  const auto checked = std::ranges::count_if(
-      report.residuals, [](const Residual& residual) { return residual.tolerance.has_value(); });
-  const auto failed = std::ranges::count_if(
-      report.residuals, [](const Residual& residual) { return !residual.passed(); });
-  if (failed == 0) {
-    return "PASS: " + CountText(static_cast<std::uintmax_t>(checked), "residual") +
-           " checked, all within their tolerances";
-  }
-  return "FAIL: " + std::to_string(failed) + " of " +
-         CountText(static_cast<std::uintmax_t>(checked), "residual") + " outside " +
-         (failed == 1 ? "its tolerance" : "their tolerances");
-}
 
 std::string ReportAsText(const ResidualReport& report, const TextStyle& style) {
   const std::string wide = WideTable(report);
   return SubjectText(report, style.width) + "\n" +
          (WidestLine(wide) <= style.width ? wide : NarrowTable(report, style)) + "\n" +
-         report.remark + (report.remark.empty() ? "" : "\n") +
-         Coloured(VerdictText(report), report.passed() ? Colour::kGreen : Colour::kRed, style) +
-         "\n";
+         RemarkText(report, style) + VerdictText(report, style);
 }
 
 std::string ReportIn(const ReportChoice& choice, const ResidualReport& report) {

@@ -4,7 +4,6 @@
 /// The residual report as text and as JSON.
 #pragma once
 
-#include <cstddef>
 #include <string>
 
 #include "residuals/residual.h"
@@ -24,14 +23,6 @@ struct ReportChoice {
   ReportForm form = ReportForm::kSummary;
   TextStyle style;
 };
-
-/// Returns the verdict in one sentence that begins with PASS or FAIL: how many residuals are
-/// outside their tolerances, of how many that have one.
-[[nodiscard]] std::string VerdictText(const ResidualReport& report);
-
-/// Returns what the report is about: model, kind, rhythm, engine. Each begins a line, and lines are
-/// wrapped at `width`. A longer path of the model loses its beginning.
-[[nodiscard]] std::string SubjectText(const ResidualReport& report, std::size_t width);
 
 /// Returns all residuals as a table for people, the verdict last. The result of a residual is
 /// `pass` or `FAIL`; `stated` if it has no tolerance; `follows` if it cannot be off unless another

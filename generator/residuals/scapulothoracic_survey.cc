@@ -13,6 +13,7 @@
 #include "anatomy/ellipsoid.h"
 #include "kinematics/lengths.h"
 #include "kinematics/worst_case.h"
+#include "residuals/report_parts.h"
 #include "residuals/report_summary.h"
 #include "residuals/residual_report.h"
 #include "text/input_error.h"
@@ -425,8 +426,8 @@ nlohmann::ordered_json FiguresAsJson(const GirdleFigures& figures_deg) {
 }
 
 // The value of a line of the report; "-" if there is no such line.
-std::string ValueText(const std::vector<Residual>& lines, const std::string& group,
-                      const std::string& item) {
+std::string FigureText(const std::vector<Residual>& lines, const std::string& group,
+                       const std::string& item) {
   constexpr int kDecimals = 2;
   const auto line = std::ranges::find_if(lines, [&](const Residual& residual) {
     return residual.group == group && residual.item == item;
@@ -435,8 +436,8 @@ std::string ValueText(const std::vector<Residual>& lines, const std::string& gro
 }
 
 // A row for each quantity that is compared, and rms and largest difference in each part of the
-// grid.
-std::string DifferencesTable(const std::vector<Residual>& lines) {
+// grid; one table for each part where they do not fit beside each other.
+std::string DifferencesTable(const std::vector<Residual>& lines, const TextStyle& style) {
   std::vector<std::string> groups;
   std::vector<std::string> quantities;
   const std::string rms = ", rms";
@@ -451,17 +452,28 @@ std::string DifferencesTable(const std::vector<Residual>& lines) {
       }
     }
   }
-  std::vector<std::vector<std::string>> rows = {{"rms, largest [deg, mm]"}};
-  rows.front().insert(rows.front().end(), groups.begin(), groups.end());
-  for (const std::string& quantity : quantities) {
-    std::vector<std::string>& row = rows.emplace_back();
-    row.push_back(quantity);
-    for (const std::string& group : groups) {
-      row.push_back(ValueText(lines, group, quantity + rms) + ", " +
-                    ValueText(lines, group, quantity + ", largest"));
+  const auto table_of = [&](const std::vector<std::string>& shown) {
+    std::vector<std::vector<std::string>> rows = {{"rms, largest [deg, mm]"}};
+    rows.front().insert(rows.front().end(), shown.begin(), shown.end());
+    for (const std::string& quantity : quantities) {
+      std::vector<std::string>& row = rows.emplace_back();
+      row.push_back(quantity);
+      for (const std::string& group : shown) {
+        row.push_back(FigureText(lines, group, quantity + rms) + ", " +
+                      FigureText(lines, group, quantity + ", largest"));
+      }
     }
+    return ColumnsText(rows, {Alignment::kLeft, Alignment::kRight});
+  };
+  const std::string whole = table_of(groups);
+  if (WidestLine(whole) <= style.width) {
+    return whole;
   }
-  return ColumnsText(rows, {Alignment::kLeft, Alignment::kRight});
+  std::string below_each_other;
+  for (const std::string& group : groups) {
+    below_each_other += table_of({group});
+  }
+  return below_each_other;
 }
 
 std::string SurveyAsJson(const ScapulothoracicSurvey& survey) {
@@ -534,8 +546,9 @@ std::string SurveyIn(const ReportChoice& choice, const ScapulothoracicSurvey& su
   ResidualReport checked = survey.report;
   std::erase_if(checked.residuals, [](const Residual& residual) { return !residual.tolerance; });
   const SummaryParts parts = SummaryPartsOf(checked, choice.style);
-  return parts.head + "\n" + parts.table + "\n" + DifferencesTable(survey.report.residuals) + "\n" +
-         parts.failures + (parts.failures.empty() ? "" : "\n") + sentence + parts.end;
+  return parts.head + "\n" + parts.table + "\n" +
+         DifferencesTable(survey.report.residuals, choice.style) + "\n" + parts.failures +
+         (parts.failures.empty() ? "" : "\n") + sentence + parts.end;
 }
 
 }  // namespace girdle

@@ -113,21 +113,7 @@ std::string PlainStem(std::string_view name) {
 }
 
 bool IsOneSlipAway(std::string_view a, std::string_view b) {
-  if (a.size() > b.size()) {
-    std::swap(a, b);
-  }
-  const auto [at_a, at_b] = std::mismatch(a.begin(), a.end(), b.begin());
-  const auto first = static_cast<std::size_t>(at_a - a.begin());
-  if (first == a.size()) {
-    return b.size() - a.size() <= 1;
-  }
-  if (a.size() != b.size()) {
-    return a.substr(first) == b.substr(first + 1);
-  }
-  const bool is_wrong_letter = a.substr(first + 1) == b.substr(first + 1);
-  const bool is_exchange = first + 1 < a.size() && a[first] == b[first + 1] &&
-                           a[first + 1] == b[first] && a.substr(first + 2) == b.substr(first + 2);
-  return is_wrong_letter || is_exchange;
+  return std::max(a.size(), b.size()) <= kLongestWord && SlipsBetween(a, b) <= 1;
 }
 
 bool IsNearly(std::string_view name, std::string_view known) {

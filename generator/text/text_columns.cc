@@ -63,6 +63,23 @@ std::string WrappedLine(const std::string& line, std::size_t width, std::size_t 
   return text;
 }
 
+// An example of a command, broken before its options as a shell allows.
+std::string WrappedExample(const std::string& line, std::size_t width) {
+  constexpr const char* kGoesOn = " \\";
+  const std::string indent(line.find_first_not_of(' ') + 4, ' ');
+  std::string text;
+  std::string rest = line;
+  while (rest.size() > width) {
+    const std::size_t last = rest.rfind(" --", width - std::min<std::size_t>(width, 2));
+    if (last == std::string::npos || last < indent.size()) {
+      break;
+    }
+    text += rest.substr(0, last) + kGoesOn + "\n";
+    rest = indent + rest.substr(last + 1);
+  }
+  return text + rest;
+}
+
 }  // namespace
 
 std::string WrappedText(const std::string& text, std::size_t width, std::size_t indent) {
@@ -71,8 +88,8 @@ std::string WrappedText(const std::string& text, std::size_t width, std::size_t 
   bool is_first = true;
   for (std::string line; std::getline(lines, line); is_first = false) {
     wrapped += is_first ? "" : "\n" + std::string(line.empty() ? 0 : indent, ' ');
-    wrapped +=
-        line.starts_with(' ') ? line : WrappedLine(line, width, indent, is_first ? 0 : indent);
+    wrapped += line.starts_with(' ') ? WrappedExample(line, width)
+                                     : WrappedLine(line, width, indent, is_first ? 0 : indent);
   }
   return wrapped;
 }

@@ -27,7 +27,8 @@ enum class Alignment { kLeft, kRight };
 
 /// Returns `text` with line breaks in place of blanks, so that lines have at most `width` bytes;
 /// a longer word stands on a line of its own. Lines after the first begin with `indent` blanks. A
-/// line of `text` that begins with a blank, such as an example, stays as it is.
+/// line of `text` that begins with a blank is an example of a command: it is broken before an
+/// option, with a backslash at the end of the line, as a shell allows.
 [[nodiscard]] std::string WrappedText(const std::string& text, std::size_t width,
                                       std::size_t indent = 0);
 

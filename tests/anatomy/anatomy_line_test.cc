@@ -5,7 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include "anatomy/body_size.h"
 #include "anatomy/built_in_anatomy.h"
@@ -37,18 +40,46 @@ TEST(AnatomyLine, KeepsWhetherTheBonesAreThoseOfAnAdult) {
   EXPECT_FALSE(AnatomyFromLine(AnatomyAsLine(anatomy), "model.xml").has_adult_proportions);
 }
 
-TEST(AnatomyLine, DiffersForAnotherAnatomyInEveryNumber) {
-  // One number of each row, the last.
-  const std::string line = AnatomyAsLine(BuiltInAnatomy());
+// The numbers of an anatomy: landmarks, segments, ranges of joints and of the scapula, ellipsoids,
+// ligaments, the height of the notch, and whether the proportions are an adult's.
+constexpr std::size_t kNumbers = 3 * kLandmarkCount + 7 * kSegmentCount + 2 * kCoordinateCount +
+                                 2 * 3 + 2 * 6 + 11 * kLigamentCount + 1 + 1;
+
+TEST(AnatomyLine, ReadsAndWritesEveryNumber) {
+  std::istringstream words(AnatomyAsLine(BuiltInAnatomy()));
+  std::vector<std::string> line;
+  std::vector<std::size_t> numbers;
+  for (std::string word; words >> word;) {
+    if (word.find_first_not_of("-+.0123456789e;") == std::string::npos) {
+      numbers.push_back(line.size());
+    }
+    line.push_back(word);
+  }
+  ASSERT_EQ(numbers.size(), kNumbers);
+  const auto text = [&line] {
+    std::string all;
+    for (const std::string& word : line) {
+      all += (all.empty() ? "" : " ") + word;
+    }
+    return all;
+  };
+  for (const std::size_t number : numbers) {
+    const std::string before = line[number];
+    const bool is_last_word = number + 1 == line.size();
+    line[number] = is_last_word ? "0" : "0.015625" + std::string(before.back() == ';' ? ";" : "");
+    EXPECT_EQ(AnatomyAsLine(AnatomyFromLine(text(), "model.xml")), text()) << number;
+    EXPECT_FALSE(IsSame(AnatomyFromLine(text(), "model.xml"), BuiltInAnatomy())) << number;
+    line[number] = before;
+  }
+}
+
+TEST(AnatomyLine, IsSameButForRounding) {
   Anatomy other = BuiltInAnatomy();
-  other.ligaments.back().published_sd_m += 1e-9;
-  EXPECT_NE(AnatomyAsLine(other), line);
-  other = BuiltInAnatomy();
-  other.ranges.front().lower_rad += 1e-9;
-  EXPECT_NE(AnatomyAsLine(other), line);
-  other = BuiltInAnatomy();
-  other.segments.back().inertia_kg_m2.z += 1e-9;
-  EXPECT_NE(AnatomyAsLine(other), line);
+  EXPECT_TRUE(IsSame(other, BuiltInAnatomy()));
+  other.gliding.radii_m.x *= 1 + 1e-15;
+  EXPECT_TRUE(IsSame(other, BuiltInAnatomy()));
+  other.gliding.radii_m.x += 1e-6;
+  EXPECT_FALSE(IsSame(other, BuiltInAnatomy()));
 }
 
 struct BadLine {
@@ -66,12 +97,18 @@ std::string Replaced(const std::string& from, const std::string& to) {
   return line.replace(at, from.size(), to);
 }
 
+std::string Changed(void (*change)(Anatomy& anatomy)) {
+  Anatomy anatomy = BuiltInAnatomy();
+  change(anatomy);
+  return AnatomyAsLine(anatomy);
+}
+
 TEST_P(BadAnatomyLine, IsRefusedWithThePlaceAndWhatIsExpected) {
   try {
     static_cast<void>(AnatomyFromLine(GetParam().line, "arm.xml"));
     FAIL() << "accepted";
   } catch (const InputError& error) {
-    EXPECT_EQ(std::string(error.what()), std::string("arm.xml: expected ") + GetParam().message +
+    EXPECT_EQ(std::string(error.what()), std::string("arm.xml: ") + GetParam().message +
                                              ". Generate the model again with girdle generate");
   }
 }
@@ -79,13 +116,23 @@ TEST_P(BadAnatomyLine, IsRefusedWithThePlaceAndWhatIsExpected) {
 INSTANTIATE_TEST_SUITE_P(
     All, BadAnatomyLine,
     testing::Values(
-        BadLine{"Empty", "", "IJ with 3 numbers"},
-        BadLine{"AnotherName", Replaced("IJ 0 0 0", "XY 0 0 0"), "IJ with 3 numbers"},
-        BadLine{"ANumberMissing", Replaced("IJ 0 0 0", "IJ 0 0"), "IJ with 3 numbers"},
-        BadLine{"ANumberTooMuch", Replaced("IJ 0 0 0", "IJ 0 0 0 0"), "IJ with 3 numbers"},
-        BadLine{"NotANumber", Replaced("IJ 0 0 0", "IJ 0 nan 0"), "IJ with 3 numbers"},
-        BadLine{"NoEnd", Replaced("; adult_proportions 1", ""), "adult_proportions with 1 number"},
-        BadLine{"TooLong", std::string(1'000'000, 'x'), "IJ with 3 numbers"}),
+        BadLine{"Empty", "", "expected IJ with 3 numbers"},
+        BadLine{"AnotherName", Replaced("IJ 0 0 0", "XY 0 0 0"), "expected IJ with 3 numbers"},
+        BadLine{"ANumberMissing", Replaced("IJ 0 0 0", "IJ 0 0"), "expected IJ with 3 numbers"},
+        BadLine{"ANumberTooMuch", Replaced("IJ 0 0 0", "IJ 0 0 0 0"), "expected IJ with 3 numbers"},
+        BadLine{"NotANumber", Replaced("IJ 0 0 0", "IJ 0 nan 0"), "expected IJ with 3 numbers"},
+        BadLine{"NoEnd", Replaced("; adult_proportions 1", ""),
+                "expected adult_proportions with 1 number"},
+        BadLine{"TooLong", std::string(1'000'000, 'x'), "is longer than any anatomy"},
+        BadLine{"Far", Replaced("IJ 0 0 0", "IJ 0 1e200 0"), "IJ cannot be"},
+        BadLine{"NoMass", Changed([](Anatomy& a) { a.segments[1].mass_kg = 0; }),
+                "clavicle cannot be"},
+        BadLine{"NoRadius", Changed([](Anatomy& a) { a.gliding.radii_m.y = -1; }),
+                "gliding cannot be"},
+        BadLine{"NoStiffness", Changed([](Anatomy& a) { a.ligaments[0].stiffness_N_per_m = 0; }),
+                "conoid cannot be"},
+        BadLine{"NoHeight", Changed([](Anatomy& a) { a.jugular_notch_height_m = 0; }),
+                "jugular_notch_height cannot be"}),
     [](const testing::TestParamInfo<BadLine>& bad) { return bad.param.what; });
 
 }  // namespace

@@ -43,9 +43,12 @@ TEST(WrappedText, BreaksLinesAtBlanks) {
   EXPECT_EQ(WrappedText("a shoulder moves", 12, 2), "a shoulder\n  moves");
 }
 
-TEST(WrappedText, KeepsLineEndsAndExamples) {
-  EXPECT_EQ(WrappedText("Examples:\n  girdle solve --in poses.csv\n\nend", 12),
-            "Examples:\n  girdle solve --in poses.csv\n\nend");
+TEST(WrappedText, KeepsLineEnds) { EXPECT_EQ(WrappedText("one\n\ntwo", 12), "one\n\ntwo"); }
+
+TEST(WrappedText, BreaksExamplesBeforeAnOption) {
+  EXPECT_EQ(WrappedText("Example:\n  girdle solve --in poses.csv --out angles.csv", 34),
+            "Example:\n  girdle solve --in poses.csv \\\n      --out angles.csv");
+  EXPECT_EQ(WrappedText("  girdle solve --in poses.csv", 80), "  girdle solve --in poses.csv");
 }
 
 TEST(WrappedText, KeepsAWordThatIsWiderThanALine) {
