@@ -34,12 +34,9 @@ def bone_angles(girdle: Girdle) -> NumberTable:
     rows = []
     for elevation in ELEVATIONS_DEG:
         answer = girdle.answer("solve", "--elevation", str(elevation), "--plane", "0")
-        rows.append(
-            [str(elevation)] + [rounded(answer["angles_deg"][name], 1) for name in quantities]
-        )
+        rows.append([str(elevation)] + [rounded(answer["angles_deg"][name], 1) for name in quantities])
     return NumberTable(
-        "Angles of the bones (deg); elevation and upward rotation are negative upwards, as ISB "
-        "counts them",
+        "Angles of the bones (deg); elevation and upward rotation are negative upwards, as ISB counts them",
         ["elevation (deg)", *quantities.values()],
         rows,
     )
@@ -49,10 +46,7 @@ def pictures(girdle: Girdle, body: Body, camera: str, quick: bool) -> plt.Figure
     height = QUICK_HEIGHT if quick else HEIGHT
     width = round(ASPECT * height)
     panels = [
-        [
-            draw(girdle, body, elevation, View(camera, show, width, height, kept=KEPT))
-            for show in COLUMNS
-        ]
+        [draw(girdle, body, elevation, View(camera, show, width, height, kept=KEPT)) for show in COLUMNS]
         for elevation in ELEVATIONS_DEG
     ]
     rows = [f"{elevation}°" for elevation in ELEVATIONS_DEG]

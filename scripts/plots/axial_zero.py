@@ -30,7 +30,10 @@ SHOWN_PLANES = (-90, -45, 0, 40, 90, 135)
 def make(girdle: Girdle, quick: bool) -> Figure:
     step_deg = QUICK_STEP_DEG if quick else STEP_DEG
     rows = girdle.rows(
-        "solve", "--elevation", ELEVATIONS.format(step=step_deg), "--plane",
+        "solve",
+        "--elevation",
+        ELEVATIONS.format(step=step_deg),
+        "--plane",
         PLANES.format(step=step_deg),
     )
     planes_deg, elevations_deg, axial_deg = rows.map("used_axial_isb_deg")
@@ -38,9 +41,7 @@ def make(girdle: Girdle, quick: bool) -> Figure:
     is_reached = (rows.map("clamped")[2] == 0) & (rows.map("used_plane_deg")[2] == planes_deg)
     field = (planes_deg, elevations_deg, np.where(is_reached, axial_deg, np.nan))
     lines = {
-        plane: girdle.rows(
-            "solve", "--elevation", ELEVATIONS.format(step=step_deg), "--plane", str(plane)
-        )
+        plane: girdle.rows("solve", "--elevation", ELEVATIONS.format(step=step_deg), "--plane", str(plane))
         for plane in SHOWN_PLANES
     }
     canvas, (curves, axes) = plt.subplots(1, 2, figsize=(12, 5))

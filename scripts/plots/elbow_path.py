@@ -102,9 +102,7 @@ def measured_paths(girdle: Girdle, interpolation: str, step_deg: float) -> dict[
     planes_deg = rows.numbers("plane_deg")
     elbow_mm = np.stack([rows.numbers(f"elbow_{axis}_mm") for axis in "xyz"], axis=1)
     return {
-        elevation: Path(
-            planes_deg[elevation_of_row == elevation], elbow_mm[elevation_of_row == elevation]
-        )
+        elevation: Path(planes_deg[elevation_of_row == elevation], elbow_mm[elevation_of_row == elevation])
         for elevation in ELEVATIONS_DEG
     }
 

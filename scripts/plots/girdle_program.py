@@ -52,9 +52,7 @@ class Rows:
     def map(self, column: str) -> tuple[Numbers, Numbers, Numbers]:
         """Planes, elevations, and the column at [elevation, plane], not a number where no row is."""
         planes_deg, plane_index = np.unique(self.numbers("plane_deg"), return_inverse=True)
-        elevations_deg, elevation_index = np.unique(
-            self.numbers("elevation_deg"), return_inverse=True
-        )
+        elevations_deg, elevation_index = np.unique(self.numbers("elevation_deg"), return_inverse=True)
         values = np.full((len(elevations_deg), len(planes_deg)), np.nan)
         values[elevation_index, plane_index] = self.numbers(column)
         return planes_deg, elevations_deg, values

@@ -45,9 +45,7 @@ def draw(girdle: Girdle, body: Body, elevation_deg: int, view: View) -> Numbers:
     picture = plt.imread(girdle.folder / file)
     left, right, upper, lower = view.kept
     height, width = picture.shape[:2]
-    return picture[
-        round(upper * height) : round(lower * height), round(left * width) : round(right * width)
-    ]
+    return picture[round(upper * height) : round(lower * height), round(left * width) : round(right * width)]
 
 
 def compose(

@@ -60,7 +60,10 @@ def draw_positions(axes: Axes, positions: list[dict[str, str]]) -> None:
 def make(girdle: Girdle, quick: bool) -> Figure:
     step = QUICK_STEP_DEG if quick else STEP_DEG
     rows = girdle.rows(
-        "solve", "--elevation", f"0:180:{step}", "--plane",
+        "solve",
+        "--elevation",
+        f"0:180:{step}",
+        "--plane",
         f"{FIRST_PLANE_DEG}:{LAST_PLANE_DEG}:{step}",
     )
     field = kinds_of(rows)
@@ -68,8 +71,12 @@ def make(girdle: Girdle, quick: bool) -> Figure:
 
     canvas, axes = plt.subplots(figsize=(8.8, 5))
     axes.pcolormesh(
-        *field, cmap=ListedColormap(list(COLORS.values())), vmin=-0.5, vmax=len(COLORS) - 0.5,
-        shading="nearest", rasterized=True,
+        *field,
+        cmap=ListedColormap(list(COLORS.values())),
+        vmin=-0.5,
+        vmax=len(COLORS) - 0.5,
+        shading="nearest",
+        rasterized=True,
     )
     draw_positions(axes, positions)
     axes.set_xticks(np.arange(FIRST_PLANE_DEG, LAST_PLANE_DEG + 1, 45))
@@ -103,8 +110,13 @@ def positions_table(girdle: Girdle, positions: list[dict[str, str]]) -> NumberTa
             "solve", "--elevation", position["elevation_deg"], "--plane", position["plane_deg"]
         )
         rows.append(
-            [f"{number} {position['position']}", position["elevation_deg"], position["plane_deg"],
-             answer["origin"], rounded(answer["distance_deg"], 0)]
+            [
+                f"{number} {position['position']}",
+                position["elevation_deg"],
+                position["plane_deg"],
+                answer["origin"],
+                rounded(answer["distance_deg"], 0),
+            ]
         )
     return NumberTable(
         "Functional positions (deg), and how far they are from measured directions",

@@ -50,24 +50,21 @@ def prepare(axes: Axes) -> None:
 
 def draw_border(axes: Axes, distance: tuple[Numbers, Numbers, Numbers]) -> None:
     planes_deg, elevations_deg, distance_deg = distance
-    axes.contour(
-        planes_deg, elevations_deg, distance_deg, [BORDER_DEG], colors="white", linewidths=4
-    )
-    axes.contour(
-        planes_deg, elevations_deg, distance_deg, [BORDER_DEG], colors=BLACK, linewidths=1.8
-    )
+    axes.contour(planes_deg, elevations_deg, distance_deg, [BORDER_DEG], colors="white", linewidths=4)
+    axes.contour(planes_deg, elevations_deg, distance_deg, [BORDER_DEG], colors=BLACK, linewidths=1.8)
 
 
-def draw_lines(
-    axes: Axes, field: tuple[Numbers, Numbers, Numbers], levels: Numbers, color: str
-) -> None:
+def draw_lines(axes: Axes, field: tuple[Numbers, Numbers, Numbers], levels: Numbers, color: str) -> None:
     lines = axes.contour(*field, levels, colors=color, linewidths=0.8)
     axes.clabel(lines, fmt="%g", fontsize=9)
 
 
 def measured_distance(girdle: Girdle, step_deg: float) -> tuple[Numbers, Numbers, Numbers]:
     rows = girdle.rows(
-        "solve", "--elevation", ELEVATIONS.format(step=step_deg), "--plane",
+        "solve",
+        "--elevation",
+        ELEVATIONS.format(step=step_deg),
+        "--plane",
         PLANES.format(step=step_deg),
     )
     return rows.map("distance_deg")
@@ -78,8 +75,13 @@ def make_rotation(girdle: Girdle, quick: bool) -> Figure:
     distance = measured_distance(girdle, step_deg)
     map_file = f"{ROTATION_NAME}.csv"
     girdle.run(
-        "compare", "--elevation", ELEVATIONS.format(step=step_deg), "--plane",
-        PLANES.format(step=step_deg), "--out", map_file,
+        "compare",
+        "--elevation",
+        ELEVATIONS.format(step=step_deg),
+        "--plane",
+        PLANES.format(step=step_deg),
+        "--out",
+        map_file,
     )
     rows = Rows((girdle.folder / map_file).read_text()).only("rhythm", MEASURED)
     planes_deg, elevations_deg, rotation_deg = rows.map("st_upward_rotation_deg")
@@ -101,8 +103,7 @@ def make_rotation(girdle: Girdle, quick: bool) -> Figure:
         "Upward rotation (deg) by elevation (deg) and plane",
         ["elevation", *(f"plane {plane}" for plane in shown_planes)],
         [
-            [str(elevation)]
-            + [value_at(upward, plane, elevation) for plane in shown_planes]
+            [str(elevation)] + [value_at(upward, plane, elevation) for plane in shown_planes]
             for elevation in at
         ],
     )
@@ -132,8 +133,13 @@ def make_distances(girdle: Girdle, quick: bool) -> Figure:
     distance = measured_distance(girdle, step_deg)
     map_file = f"{DISTANCE_NAME}.csv"
     summary = girdle.answer(
-        "compare", "--elevation", ELEVATIONS.format(step=step_deg), "--plane",
-        PLANES.format(step=step_deg), "--out", map_file,
+        "compare",
+        "--elevation",
+        ELEVATIONS.format(step=step_deg),
+        "--plane",
+        PLANES.format(step=step_deg),
+        "--out",
+        map_file,
     )
     rows = Rows((girdle.folder / map_file).read_text())
     names = [rhythm["name"] for rhythm in summary["rhythms"] if rhythm["name"] != MEASURED]
@@ -146,14 +152,22 @@ def make_distances(girdle: Girdle, quick: bool) -> Figure:
             if not np.isfinite(values).any():
                 axes.axis("off")
                 axes.text(
-                    0.5, 0.5, "says nothing\nof the clavicle", ha="center", va="center",
+                    0.5,
+                    0.5,
+                    "says nothing\nof the clavicle",
+                    ha="center",
+                    va="center",
                     transform=axes.transAxes,
                 )
                 continue
             difference = (planes_deg, elevations_deg, sign * values)
             reach_deg = FROZEN_DIFFERENCE_DEG if name == FROZEN else DIFFERENCE_DEG
             colors = axes.pcolormesh(
-                *difference, cmap=DIVERGING, vmin=-reach_deg, vmax=reach_deg, shading="nearest",
+                *difference,
+                cmap=DIVERGING,
+                vmin=-reach_deg,
+                vmax=reach_deg,
+                shading="nearest",
                 rasterized=True,
             )
             draw_lines(axes, difference, np.arange(-90, 91, reach_deg / 4), BLACK)
@@ -206,7 +220,6 @@ def difference_tables(summary: dict[str, Any], names: list[str]) -> list[NumberT
             )
     header = ["rhythm, of", "rms in the table (deg)", "largest (deg)", "rms on the map", "largest"]
     caption = (
-        "As girdle compare prints it: rhythm minus measured, with ISB's sign, so + is less upward "
-        "rotation"
+        "As girdle compare prints it: rhythm minus measured, with ISB's sign, so + is less upward rotation"
     )
     return [NumberTable(caption, header, rows)]

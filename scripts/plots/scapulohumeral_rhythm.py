@@ -48,24 +48,16 @@ def make(girdle: Girdle, quick: bool) -> Figure:
     elevations = f"15:{LAST_MEASURED_DEG}:{step_deg}"
     map_file = f"{NAME}.csv"
     planes = "0:90:10"
-    summary = girdle.answer(
-        "compare", "--elevation", elevations, "--plane", planes, "--out", map_file
-    )
+    summary = girdle.answer("compare", "--elevation", elevations, "--plane", planes, "--out", map_file)
     rows = Rows((girdle.folder / map_file).read_text())
-    published = [
-        rhythm["name"]
-        for rhythm in summary["rhythms"]
-        if rhythm["name"] not in (MEASURED, FROZEN)
-    ]
+    published = [rhythm["name"] for rhythm in summary["rhythms"] if rhythm["name"] not in (MEASURED, FROZEN)]
 
     canvas, (rotation, ratio) = plt.subplots(1, 2, figsize=(12.6, 5.2))
     name_panel(rotation, "(a) upward rotation of the scapula")
     name_panel(ratio, f"(b) scapulohumeral ratio since {FROM_ELEVATION_DEG}°")
     for panel, curve in ((rotation, lambda e, r: (e, r)), (ratio, ratios)):
         curves = {
-            (name, plane): curve(*upward_deg(rows, name, plane))
-            for name in published
-            for plane in PLANES_DEG
+            (name, plane): curve(*upward_deg(rows, name, plane)) for name in published for plane in PLANES_DEG
         }
         axis_deg = next(iter(curves.values()))[0]
         values = np.array([value for _, value in curves.values()])
@@ -105,8 +97,7 @@ def make(girdle: Girdle, quick: bool) -> Figure:
         f"Scapulohumeral ratio since elevation {FROM_ELEVATION_DEG}",
         ["plane, elevation (deg)", *names],
         [
-            [f"{line['plane_deg']:g}, {line['elevation_deg']:g}"]
-            + [rounded(line[name], 2) for name in names]
+            [f"{line['plane_deg']:g}, {line['elevation_deg']:g}"] + [rounded(line[name], 2) for name in names]
             for line in summary["scapulohumeral_ratio"]["rows"]
             if line["plane_deg"] in PLANES_DEG
         ],

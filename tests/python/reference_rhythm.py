@@ -338,8 +338,7 @@ class ReferenceRhythm:
             # q_j+1 = squad(q_i,j+1, q_i+1,j+1, t_theta)        (11)
             # in every plane, for the inner quaternions of (12) need the neighbours of j and j + 1.
             planes = [
-                interpolate(plane, along_theta.index, along_theta.weight, interpolation)
-                for plane in grid
+                interpolate(plane, along_theta.index, along_theta.weight, interpolation) for plane in grid
             ]
             # q = squad(q_j, q_j+1, t_psi)                      (12)
             q = interpolate(planes, along_psi.index, along_psi.weight, interpolation)

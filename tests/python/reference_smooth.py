@@ -118,8 +118,7 @@ def angles_between_deg(a: Array, b: Array) -> Array:
 def euler_quaternions(sequence: str, angles_deg: Array) -> Array:
     """The intrinsic rotations of angles (3, N)."""
     first, second, third = (
-        turns(axis, np.radians(angle_deg))
-        for axis, angle_deg in zip(sequence, angles_deg, strict=True)
+        turns(axis, np.radians(angle_deg)) for axis, angle_deg in zip(sequence, angles_deg, strict=True)
     )
     return multiply(multiply(first, second), third)
 
@@ -412,9 +411,7 @@ class Spline:
             raise ValueError(f"{len(self.knots)} knots, expected at least {PARABOLA_KNOTS}")
         # coefficients[i, power] are those of s^power in the interval i, s = (x - x_i) / width, as
         # weights of the values.
-        self.coefficients = (
-            self.parabola() if len(self.knots) == PARABOLA_KNOTS else self.not_a_knot()
-        )
+        self.coefficients = self.parabola() if len(self.knots) == PARABOLA_KNOTS else self.not_a_knot()
 
     def not_a_knot(self) -> Array:
         count = len(self.knots)
@@ -509,9 +506,7 @@ class Command:
     protraction: Array
 
     def moved(self, d_theta: float, d_psi: float) -> Command:
-        return Command(
-            self.theta + d_theta, self.psi + d_psi, self.axial, self.shrug, self.protraction
-        )
+        return Command(self.theta + d_theta, self.psi + d_psi, self.axial, self.shrug, self.protraction)
 
 
 class SmoothRhythm:
@@ -522,9 +517,7 @@ class SmoothRhythm:
         self.elevations_deg = sorted({p.elevation_deg for p in positions})
         self.planes_deg = sorted({p.plane_deg for p in positions})
         if len(self.elevations_deg) < NOT_A_KNOT_KNOTS:
-            raise ValueError(
-                f"{len(self.elevations_deg)} elevations, expected at least {NOT_A_KNOT_KNOTS}"
-            )
+            raise ValueError(f"{len(self.elevations_deg)} elevations, expected at least {NOT_A_KNOT_KNOTS}")
         self.along_theta = Spline(np.radians(self.elevations_deg))
         self.along_psi = Spline(np.radians(self.planes_deg))
 
@@ -535,8 +528,7 @@ class SmoothRhythm:
         self.means = {joint: mean_rotation(q[joint]) for joint in q}
         # u_i = log(q_i m^-1), values[joint][component, theta, psi]
         self.values = {
-            joint: logs(multiply(q[joint], inverses(self.means[joint]))).reshape(3, *shape)
-            for joint in q
+            joint: logs(multiply(q[joint], inverses(self.means[joint]))).reshape(3, *shape) for joint in q
         }
         tau = twist(multiply(multiply(q["sc"], q["ac"]), q["gh"])).reshape(shape)
         self.tau_values = np.unwrap(np.unwrap(tau, axis=0), axis=1)
@@ -703,18 +695,14 @@ class SmoothRhythm:
         low, high = np.radians(self.ranges.get(coordinate, (-math.inf, math.inf)))
         return np.clip(added, np.minimum(low - angle, 0.0), np.maximum(high - angle, 0.0))
 
-    def share_that_gh_allows(
-        self, angles: Array, offset: Array, q_CS: Array, q_TH: Array
-    ) -> Array:
+    def share_that_gh_allows(self, angles: Array, offset: Array, q_CS: Array, q_TH: Array) -> Array:
         """GH makes up for the girdle: how much of the clavicle's offset its ranges leave room for.
 
         As in `bounded`, an angle that is outside already may not go further out.
         """
 
         def gh_angles_deg(columns: Array, share: Array) -> Array:
-            moved = euler_quaternions(
-                "yxz", np.degrees(angles[:, columns] + share * offset[:, columns])
-            )
+            moved = euler_quaternions("yxz", np.degrees(angles[:, columns] + share * offset[:, columns]))
             q_SH = multiply(inverses(multiply(moved, q_CS[:, columns])), q_TH[:, columns])
             gh: Array = np.array(euler_angles_deg("xzy", q_SH))
             gh[2] = in_axial_window_deg(gh[2])
@@ -722,9 +710,7 @@ class SmoothRhythm:
 
         everywhere = np.arange(angles.shape[1])
         own = gh_angles_deg(everywhere, np.zeros(angles.shape[1]))
-        limits = np.array(
-            [self.ranges.get(c, (-math.inf, math.inf)) for c in JOINT_COORDINATES["gh"]]
-        )
+        limits = np.array([self.ranges.get(c, (-math.inf, math.inf)) for c in JOINT_COORDINATES["gh"]])
         low = np.minimum(limits[:, [0]], own) - 1e-10
         high = np.maximum(limits[:, [1]], own) + 1e-10
 
@@ -742,9 +728,7 @@ class SmoothRhythm:
         share[stopped] = possible
         return share
 
-    def joint_rotations(
-        self, command: Command, closure: Closure, extent: Extent
-    ) -> dict[str, Array]:
+    def joint_rotations(self, command: Command, closure: Closure, extent: Extent) -> dict[str, Array]:
         """q_TC, q_CS and q_SH. Just outside the extent the formula of its edge goes on."""
         return self.rotations_and_additions(command, closure, extent)[0]
 
@@ -898,9 +882,7 @@ class SmoothRhythm:
         if zero == "isb":
             asked_deg = np.clip(elevation_deg, 0.0, 180.0)
             meant = carried(isb_humerus(asked_deg, plane_deg, axial_deg), *to_deg)
-            cosine = np.sum(
-                direction_deg(asked_deg, plane_deg) * direction_deg(*to_deg), axis=0
-            )
+            cosine = np.sum(direction_deg(asked_deg, plane_deg) * direction_deg(*to_deg), axis=0)
             share = bump((0.5 - cosine) / 1.5)
         else:
             whole = np.ones_like(elevation_deg)

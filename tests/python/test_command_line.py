@@ -32,9 +32,7 @@ def commands(*rows: Command) -> pytest.MarkDecorator:
     return pytest.mark.parametrize("command", rows, ids=[" ".join(row) for row in rows])
 
 
-every_verb = commands(
-    ONE_POSE, TABLE_OF_POSES, RAISE, VERIFY, GENERATE, COMPARE, SMOOTHNESS, SMOOTH_TABLE
-)
+every_verb = commands(ONE_POSE, TABLE_OF_POSES, RAISE, VERIFY, GENERATE, COMPARE, SMOOTHNESS, SMOOTH_TABLE)
 
 
 # --- Help ----------------------------------------------------------------------------------------
@@ -76,9 +74,7 @@ def test_an_unknown_option_is_refused_by_its_name(
 
 
 @commands(("--quick",), ("--quick", *ONE_POSE))
-def test_an_unknown_option_before_the_verb_is_refused_by_its_name(
-    refuses: Refuses, command: Command
-) -> None:
+def test_an_unknown_option_before_the_verb_is_refused_by_its_name(refuses: Refuses, command: Command) -> None:
     refuses(*command, because=("--quick", "--help"))
 
 
@@ -179,9 +175,7 @@ def test_a_file_that_cannot_be_written_is_refused(
 
 
 @pytest.mark.parametrize("place", NO_FOLDER)
-def test_a_folder_that_cannot_be_made_is_refused(
-    refuses: Refuses, tmp_path: Path, place: str
-) -> None:
+def test_a_folder_that_cannot_be_made_is_refused(refuses: Refuses, tmp_path: Path, place: str) -> None:
     (tmp_path / "a_file").write_text("kept\n")
     refuses("generate", "--out", place, because=(place, "cannot be", "--out"))
 

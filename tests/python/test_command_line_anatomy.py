@@ -76,9 +76,7 @@ def mass_kg(model: ElementTree.Element, body: str) -> float:
 
 
 @every_person
-def test_a_model_verifies_as_the_person_it_was_made_for(
-    girdle_fine: Girdle, options: Options
-) -> None:
+def test_a_model_verifies_as_the_person_it_was_made_for(girdle_fine: Girdle, options: Options) -> None:
     girdle_fine("generate", "--out", "model", *options)
     answer = json.loads(girdle_fine("verify", f"model/{SCENE_FILE}", "--json", *options).text)
     assert answer["passed"]
@@ -96,7 +94,8 @@ def test_a_model_verifies_as_the_person_it_was_made_for(
     ids=words,
 )
 @pytest.mark.parametrize(
-    "person", [("--stature", "1.5"), ("--humerus-length", "0.33", "--clavicle-length", "0.14")],
+    "person",
+    [("--stature", "1.5"), ("--humerus-length", "0.33", "--clavicle-length", "0.14")],
     ids=words,
 )
 def test_every_kind_of_model_has_the_bones_of_its_person(
@@ -152,8 +151,7 @@ def test_the_shipped_landmarks_give_the_built_in_model(
     """But for the ellipsoid, which is fitted to a person's bones, and how a stature scales them."""
     girdle_fine("generate", "--out", "model", "--anatomy", LANDMARKS)
     built_in, from_file = (
-        ElementTree.parse(folder / MODEL_FILE).getroot()
-        for folder in (generated, tmp_path / "model")
+        ElementTree.parse(folder / MODEL_FILE).getroot() for folder in (generated, tmp_path / "model")
     )
     carried = carried_anatomy(built_in) | {
         name: numbers
@@ -204,9 +202,7 @@ def test_a_bone_has_the_length_that_is_given(
     assert math.hypot(*end_m) == pytest.approx(length_m, abs=ROUNDING_M)
 
 
-def test_stature_moves_everything_in_proportion(
-    girdle_fine: Girdle, generated: Path, tmp_path: Path
-) -> None:
+def test_stature_moves_everything_in_proportion(girdle_fine: Girdle, generated: Path, tmp_path: Path) -> None:
     built_in = ElementTree.parse(generated / MODEL_FILE).getroot()
     tall = generated_model(girdle_fine, tmp_path, "--stature", str(1.2 * ADULT_STATURE_M))
     for name in site_names(built_in):
@@ -219,9 +215,7 @@ def test_stature_moves_everything_in_proportion(
     assert heights_m[1] == pytest.approx(1.2 * heights_m[0], abs=ROUNDING_M)
 
 
-def test_stature_beside_a_file_raises_its_thorax_and_no_more(
-    girdle_fine: Girdle, tmp_path: Path
-) -> None:
+def test_stature_beside_a_file_raises_its_thorax_and_no_more(girdle_fine: Girdle, tmp_path: Path) -> None:
     model = generated_model(girdle_fine, tmp_path, "--anatomy", str(EXAMPLE), "--stature", "2")
     thorax = find_element(model, ".//body[@name='thorax']")
     assert float(thorax.get("pos", "").split()[2]) == pytest.approx(2 * 0.82)

@@ -99,7 +99,13 @@ def test_a_file_has_its_column_counted_from_isb(girdle_fine: Girdle) -> None:
     # An option for all rows says the same as a column.
     same = rows_of(
         girdle_fine(
-            "solve", "--in", "-", "--axial-from", "isb", "--axial", "-30",
+            "solve",
+            "--in",
+            "-",
+            "--axial-from",
+            "isb",
+            "--axial",
+            "-30",
             stdin=b"elevation_deg,plane_deg\n60,40\n",
         ).text
     )
@@ -169,9 +175,7 @@ def test_a_column_that_plainly_is_the_axial_turn_is_refused_by_every_verb(
     refuses(*words, because=because)
 
 
-def test_a_motion_without_the_column_is_refused(
-    refuses: Refuses, model_path: Path, tmp_path: Path
-) -> None:
+def test_a_motion_without_the_column_is_refused(refuses: Refuses, model_path: Path, tmp_path: Path) -> None:
     (tmp_path / "arm.csv").write_text("time_s,elevation_deg,plane_deg\n0,20,40\n1,60,40\n")
     words = ("simulate", model_path, "--in", "arm.csv", "--axial-from", "isb", "--out", "t.csv")
     refuses(*words, because=("arm.csv:1: --axial-from isb: no axial turn", "Add the column axial_deg"))
@@ -184,9 +188,7 @@ def test_what_solve_answered_is_a_motion(girdle_fine: Girdle, model_path: Path, 
     girdle_fine("simulate", model_path, "--in", "solved.csv")
 
 
-def test_the_tally_says_what_axial_turns_count_from(
-    girdle: Girdle, model_path: Path, tmp_path: Path
-) -> None:
+def test_the_tally_says_what_axial_turns_count_from(girdle: Girdle, model_path: Path, tmp_path: Path) -> None:
     rows = "time_s,elevation_deg,plane_deg,axial_deg\n0,60,40,-40\n0.01,60,40,-40\n"
     (tmp_path / "arm.csv").write_text(rows)
     (tmp_path / "isb.csv").write_text(rows.replace(",60,", ",-60,"))
@@ -253,7 +255,5 @@ def test_isbs_convention_without_an_axial_rotation_has_the_rhythms_own_turn(
     girdle_fine: Girdle,
 ) -> None:
     pose = ("--plane", "40", "--json")
-    isb = json.loads(
-        girdle_fine("solve", "--convention", "isb", "--elevation", "-60", *pose).text
-    )
+    isb = json.loads(girdle_fine("solve", "--convention", "isb", "--elevation", "-60", *pose).text)
     assert isb == json.loads(girdle_fine("solve", "--elevation", "60", *pose).text)

@@ -72,9 +72,7 @@ def joint(name: str) -> str:
     return f".//joint[@name='{name}']"
 
 
-def table_line(
-    planes: tuple[str, ...] = ("0", "40", "90"), elevations: tuple[str, ...] | None = None
-) -> str:
+def table_line(planes: tuple[str, ...] = ("0", "40", "90"), elevations: tuple[str, ...] | None = None) -> str:
     """Some rows of the measured table as a model carries one."""
     lines = [line for line in DATABASE.read_text().splitlines() if not line.startswith("#")]
     rows = [line.split(",") for line in lines[1:]]
@@ -185,9 +183,7 @@ BROKEN_MODELS = (
             put_config("interpolation", "cubic"),
             *('interpolation is "cubic"', '"smooth" or "squad" or "slerp"'),
         ),
-        "unknown closure": broken(
-            put_config("closure", "open"), 'closure is "open"', '"exact" or "table"'
-        ),
+        "unknown closure": broken(put_config("closure", "open"), 'closure is "open"', '"exact" or "table"'),
         "unknown range": broken(put_config("range", "all"), 'range is "all"', '"whole" or "clamp"'),
         "whole range without a rule for it": broken(
             put_config("interpolation", "squad"), "range whole needs", "smooth", "range clamp"
@@ -207,9 +203,7 @@ BROKEN_MODELS = (
         "rate command without an interpolation that has rates": broken(
             add_rate_command, "elevation_rate", "squad", "no rates", "interpolation smooth"
         ),
-        "shrug command twice": broken(
-            add_two_shrugs, "second command actuator", "for shrug", "Remove one"
-        ),
+        "shrug command twice": broken(add_two_shrugs, "second command actuator", "for shrug", "Remove one"),
         "unknown plugin": broken(
             put("extension/plugin", "plugin", "girdle.rhytm"), "girdle.rhytm", MAKE_ANEW
         ),
@@ -219,14 +213,10 @@ BROKEN_MODELS = (
         "site missing": broken(remove(".//site[@name='TS_r']"), 'no site "TS_r"', MAKE_ANEW),
         "sensor missing": broken(remove("sensor"), 'no sensor "rhythm_r"', MAKE_ANEW),
         # Its one number is no place to read nine targets from.
-        "sensor of another kind": broken(
-            replace_sensor, 'sensor "rhythm_r"', f"girdle.rhythm|{MAKE_ANEW}"
-        ),
+        "sensor of another kind": broken(replace_sensor, 'sensor "rhythm_r"', f"girdle.rhythm|{MAKE_ANEW}"),
     }
     | {
-        f"kp: {name}": broken(
-            put_config("kp", value), f'kp is "{value}"', "positive number", "or nine"
-        )
+        f"kp: {name}": broken(put_config("kp", value), f'kp is "{value}"', "positive number", "or nine")
         for name, value in BAD_KP.items()
     }
     | {
@@ -274,9 +264,7 @@ def test_a_model_with_keyframes_that_lacks_something_is_refused(
 
 
 @pytest.mark.parametrize("name", ["unknown interpolation", "kp: text", "command twice"])
-def test_what_the_plugin_says_is_said_once(
-    refuses: Refuses, write_model: WriteModel, name: str
-) -> None:
+def test_what_the_plugin_says_is_said_once(refuses: Refuses, write_model: WriteModel, name: str) -> None:
     model = BROKEN_MODELS[name]
     message = refuses("verify", write_model(remove("keyframe"), model.edit), because=())
     assert len(re.findall(model.patterns[0], message)) == 1, message
@@ -336,9 +324,7 @@ WITH_PLUGIN: dict[str, tuple[str, ...]] = {
     "simulate": ("simulate", SCENE, "--elevation", "15:20", "--out", "trace.csv"),
     "generate": ("generate", "--out", "new_model"),
 }
-every_verb_with_plugin = pytest.mark.parametrize(
-    "command", WITH_PLUGIN.values(), ids=WITH_PLUGIN.keys()
-)
+every_verb_with_plugin = pytest.mark.parametrize("command", WITH_PLUGIN.values(), ids=WITH_PLUGIN.keys())
 
 
 def mathematics_library() -> Path:

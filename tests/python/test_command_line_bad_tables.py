@@ -205,9 +205,7 @@ WRONG_TABLES = {
         "mine.csv: ",
         ("SC at plane 0", "elevation 15", "too far to go on", "range clamp"),
     ),
-    "short row": wrong(
-        partial(shorten_line, line_of(40, 60)), line_of(40, 60), "14 fields, expected 15"
-    ),
+    "short row": wrong(partial(shorten_line, line_of(40, 60)), line_of(40, 60), "14 fields, expected 15"),
 }
 
 VERBS = {
@@ -244,9 +242,7 @@ def test_a_mistake_in_a_table_is_refused_with_its_place(
 
 
 @every_verb
-def test_an_absent_table_is_refused(
-    refuses: Refuses, generated: Path, command: tuple[str, ...]
-) -> None:
+def test_an_absent_table_is_refused(refuses: Refuses, generated: Path, command: tuple[str, ...]) -> None:
     words = (*with_scene(command, generated), "--table", "absent.csv")
     refuses(*words, because=("absent.csv: ", "Check"))
 

@@ -129,6 +129,7 @@ BROKEN_BINARIES: dict[str, tuple[Callable[[bytes], bytes], str]] = {
     "too many of all": (with_number(size(0), HUGE * 90), "damaged|cannot load it"),
 }
 
+
 @every_verb
 @pytest.mark.parametrize(("change", "reason"), BROKEN_BINARIES.values(), ids=BROKEN_BINARIES.keys())
 def test_a_broken_binary_model_is_refused(

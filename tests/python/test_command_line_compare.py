@@ -45,9 +45,7 @@ def summary(girdle_fine: Girdle, *options: str) -> Any:
 def read_map(path: Path) -> Rows:
     with path.open(newline="", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
-    by_place = {
-        (row["rhythm"], float(row["elevation_deg"]), float(row["plane_deg"])): row for row in rows
-    }
+    by_place = {(row["rhythm"], float(row["elevation_deg"]), float(row["plane_deg"])): row for row in rows}
     assert len(by_place) == len(rows), "a position stands twice"
     return by_place
 
@@ -60,11 +58,7 @@ def small_map(girdle_fine: Girdle, tmp_path: Path) -> Rows:
 
 def rows_of(rhythm: str, rows: Rows) -> dict[tuple[float, float], dict[str, str]]:
     """The rows of one rhythm of a map of MAP by elevation and plane; none is missing."""
-    found = {
-        (elevation, plane): row
-        for (name, elevation, plane), row in rows.items()
-        if name == rhythm
-    }
+    found = {(elevation, plane): row for (name, elevation, plane), row in rows.items() if name == rhythm}
     assert list(found) == [(elevation, plane) for elevation in ELEVATIONS for plane in PLANES]
     return found
 
@@ -160,14 +154,10 @@ def test_differences_of_angles_are_rhythm_minus_measured(small_map: Rows) -> Non
                 error = math.remainder(float(row[f"{angle}_difference_deg"]) - expected, 360)
                 assert error == pytest.approx(0, abs=2 * ROUNDED_DEG), rhythm
     everywhere = len(angles) * len(ELEVATIONS) * len(PLANES)
-    assert compared == {
-        rhythm: 0 if rhythm in UPWARD_ROTATION_ALONE else everywhere for rhythm in compared
-    }
+    assert compared == {rhythm: 0 if rhythm in UPWARD_ROTATION_ALONE else everywhere for rhythm in compared}
 
 
-def test_positions_beyond_the_table_are_marked_or_left_out(
-    girdle_fine: Girdle, tmp_path: Path
-) -> None:
+def test_positions_beyond_the_table_are_marked_or_left_out(girdle_fine: Girdle, tmp_path: Path) -> None:
     options = ("--elevation", "0:180:30", "--plane", "-90:135:45", "--out", "map.csv")
     report = summary(girdle_fine, *options)
     rows = read_map(tmp_path / "map.csv")
@@ -189,9 +179,7 @@ def test_the_default_map_is_the_whole_range_in_steps_of_five(girdle_fine: Girdle
     assert girdle_fine("compare", *typed).output == girdle_fine("compare").output
 
 
-def test_steps_that_are_no_binary_fractions_meet_their_end(
-    girdle_fine: Girdle, tmp_path: Path
-) -> None:
+def test_steps_that_are_no_binary_fractions_meet_their_end(girdle_fine: Girdle, tmp_path: Path) -> None:
     girdle_fine("compare", "--elevation", "119:120:0.1", "--plane", "0:0:1", "--out", "map.csv")
     elevations = [place[1] for place in read_map(tmp_path / "map.csv") if place[0] == "Inman"]
     assert elevations == [119, 119.1, 119.2, 119.3, 119.4, 119.5, 119.6, 119.7, 119.8, 119.9, 120]
@@ -215,12 +203,8 @@ def test_the_summary_is_made_of_the_map(girdle_fine: Girdle, small_map: Rows) ->
             rms = math.sqrt(sum(value * value for value in values) / len(values))
             largest = max(values, key=abs)
             assert found["on_map"]["rms_deg"] == pytest.approx(rms, abs=ROUNDED_DEG)
-            assert abs(found["on_map"]["largest_deg"]) == pytest.approx(
-                abs(largest), abs=ROUNDED_DEG
-            )
-            there = small_map[
-                rhythm, found["on_map"]["elevation_deg"], found["on_map"]["plane_deg"]
-            ]
+            assert abs(found["on_map"]["largest_deg"]) == pytest.approx(abs(largest), abs=ROUNDED_DEG)
+            there = small_map[rhythm, found["on_map"]["elevation_deg"], found["on_map"]["plane_deg"]]
             assert float(there[f"{of}_difference_deg"]) == pytest.approx(
                 found["on_map"]["largest_deg"], abs=ROUNDED_DEG
             )
@@ -363,9 +347,7 @@ def test_a_map_without_a_position_has_no_figures(girdle_fine: Girdle) -> None:
         ("30:60:1e-300", "Give a larger step"),
     ],
 )
-def test_a_wrong_axis_is_refused_with_the_fix(
-    refuses: Refuses, option: str, value: str, reason: str
-) -> None:
+def test_a_wrong_axis_is_refused_with_the_fix(refuses: Refuses, option: str, value: str, reason: str) -> None:
     refuses("compare", f"{option}={value}", because=(option, re.escape(f"'{value}'"), reason))
 
 
@@ -388,9 +370,7 @@ def test_a_file_that_cannot_be_written_is_refused(refuses: Refuses, name: str) -
     refuses("compare", "--out", name, because=(name, "cannot be written", "Choose"))
 
 
-def test_a_refused_table_leaves_the_earlier_file(
-    girdle: Girdle, refuses: Refuses, tmp_path: Path
-) -> None:
+def test_a_refused_table_leaves_the_earlier_file(girdle: Girdle, refuses: Refuses, tmp_path: Path) -> None:
     (tmp_path / "map.csv").write_text("kept\n")
     refuses("compare", "--table", "absent.csv", "--out", "map.csv", because=("absent.csv",))
     assert (tmp_path / "map.csv").read_text() == "kept\n"

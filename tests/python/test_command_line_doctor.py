@@ -174,9 +174,7 @@ def test_links_to_one_library_are_one_engine(
         (tmp_path / place / "lib").mkdir(parents=True)
         (tmp_path / place / "lib" / "libmujoco.so").symlink_to(engine)
     places = [tmp_path / "first", tmp_path / "second"]
-    report = doctor(
-        "--only", "--engine", places[0], "--engine", places[1], "--plugin", plugin_library
-    )
+    report = doctor("--only", "--engine", places[0], "--engine", places[1], "--plugin", plugin_library)
     assert len(report.content["engines"]) == 1
     assert report.engine(engine)["found_by"] == [f"--engine {place}" for place in places]
 
@@ -221,9 +219,7 @@ def test_a_library_that_crashes_harms_no_other(
 ) -> None:
     code = "#include <csignal>\nstatic int crash = (std::signal(SIGSEGV, SIG_DFL), raise(SIGSEGV));"
     crashing = compile_library(tmp_path / "libmujoco.so.9.9.9", code)
-    report = doctor(
-        "--only", "--engine", crashing, "--engine", engine, "--plugin", plugin_library
-    )
+    report = doctor("--only", "--engine", crashing, "--engine", engine, "--plugin", plugin_library)
     assert report.code == 0
     assert report.engine(crashing)["problem"] == "was ended by a signal: Segmentation fault"
     assert report.engine(engine)["works"]
@@ -234,9 +230,7 @@ def test_a_library_that_is_no_mujoco_is_told(doctor: Doctor, tmp_path: Path) -> 
     assert doctor("--only", "--engine", other).engine(other)["problem"] == "has no mj_versionString"
 
 
-def test_the_line_names_the_python_that_the_engine_belongs_to(
-    doctor: Doctor, tmp_path: Path
-) -> None:
+def test_the_line_names_the_python_that_the_engine_belongs_to(doctor: Doctor, tmp_path: Path) -> None:
     """The folder's name needs quotes in a shell."""
     package = tmp_path / "my env/lib/python3.11/site-packages/mujoco"
     broken = compile_library(package / "libmujoco.so", "int unrelated;")
@@ -363,9 +357,7 @@ def test_a_library_that_only_says_it_is_a_plugin_does_not_work(
     assert report.engine(engine)["problem"] == "registers no plugin girdle.rhythm"
 
 
-def test_what_to_heed_in_four_zero_zero_is_told(
-    doctor: Doctor, girdle: Girdle, plugin_library: Path
-) -> None:
+def test_what_to_heed_in_four_zero_zero_is_told(doctor: Doctor, girdle: Girdle, plugin_library: Path) -> None:
     package = ROOT / "build/engine/mujoco-4.0.0/mujoco"
     words = ("--only", "--engine", package, "--plugin", plugin_library)
     (found,) = doctor(*words).content["engines"]
@@ -383,9 +375,7 @@ def test_what_an_interrupted_install_left_is_removed(girdle_fine: Girdle, packag
     assert contents(package) == before
 
 
-def test_a_library_that_is_no_plugin_is_told(
-    doctor: Doctor, girdle: Girdle, tmp_path: Path
-) -> None:
+def test_a_library_that_is_no_plugin_is_told(doctor: Doctor, girdle: Girdle, tmp_path: Path) -> None:
     other = compile_library(tmp_path / "libgirdle_rhythm.so", "int unrelated;")
     text = girdle("doctor", "--plugin", other).text
     assert "This is not Girdle's plugin. Name libgirdle_rhythm.so" in text
@@ -615,9 +605,7 @@ def test_a_library_that_is_hostile_harms_no_other(
 # --- Installing the plugin ------------------------------------------------------------------------
 
 
-def test_it_installs_for_the_first_python_on_the_path(
-    program: Path, package: Path, tmp_path: Path
-) -> None:
+def test_it_installs_for_the_first_python_on_the_path(program: Path, package: Path, tmp_path: Path) -> None:
     first = write_python(tmp_path / "first", f"echo 'girdle:{package}'")
     second = write_python(tmp_path / "second", "echo girdle:/nowhere")
     finished = run_doctor(program, tmp_path, "--install", PATH=f"{first.parent}:{second.parent}")
@@ -694,9 +682,7 @@ def test_uninstalling_leaves_the_package_as_it_was(girdle_fine: Girdle, package:
     assert text == f"is not there: {installed(package)}\n"
 
 
-def test_a_plugin_that_does_not_work_is_not_installed(
-    girdle: Girdle, package: Path, tmp_path: Path
-) -> None:
+def test_a_plugin_that_does_not_work_is_not_installed(girdle: Girdle, package: Path, tmp_path: Path) -> None:
     broken = compile_library(tmp_path / "libgirdle_rhythm.so", "int unrelated;")
     before = contents(package)
     finished = girdle("doctor", "--install", "--engine", package, "--plugin", broken)
@@ -753,9 +739,7 @@ def test_an_empty_engine_is_refused(girdle: Girdle) -> None:
     expect_one_message(girdle("doctor", "--engine", ""), "--engine '': is empty")
 
 
-def test_a_folder_of_plugins_that_is_none_is_told(
-    refuses: Refuses, package: Path
-) -> None:
+def test_a_folder_of_plugins_that_is_none_is_told(refuses: Refuses, package: Path) -> None:
     """Other rights would not help."""
     shutil.rmtree(package / "plugin")
     (package / "plugin").touch()
@@ -787,9 +771,7 @@ def test_a_folder_of_plugins_that_another_user_may_write_is_told_with_the_fix(
     )
 
 
-def test_a_file_that_cannot_be_replaced_leaves_no_part_of_another(
-    refuses: Refuses, package: Path
-) -> None:
+def test_a_file_that_cannot_be_replaced_leaves_no_part_of_another(refuses: Refuses, package: Path) -> None:
     installed(package).mkdir()
     message = "cannot be written: Is a directory"
     refuses("doctor", "--install", "--engine", package, because=(message,))

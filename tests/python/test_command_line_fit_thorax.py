@@ -82,9 +82,7 @@ def distance_mm(ellipsoid: Array, point: Array) -> float:
 
 
 def distances_mm(ellipsoid: Array, table: Path, name: str) -> Array:
-    return np.array(
-        [distance_mm(ellipsoid, in_thorax(row, name)) for row in measured_positions(table)]
-    )
+    return np.array([distance_mm(ellipsoid, in_thorax(row, name)) for row in measured_positions(table)])
 
 
 def rms(values: Array) -> float:
@@ -97,9 +95,7 @@ def report(girdle_fine: Girdle) -> dict[str, Any]:
 
 
 @pytest.mark.parametrize("which", ["fitted", "anatomy"])
-def test_the_distances_are_those_of_the_bones_from_the_ellipsoid(
-    report: dict[str, Any], which: str
-) -> None:
+def test_the_distances_are_those_of_the_bones_from_the_ellipsoid(report: dict[str, Any], which: str) -> None:
     printed = report[which]
     ellipsoid = np.array([*printed["center_m"], *printed["radii_m"]])
     rows = measured_positions(DATABASE)
@@ -121,9 +117,7 @@ def test_the_distances_are_those_of_the_bones_from_the_ellipsoid(
 def test_the_fit_is_as_good_as_the_committed_one(report: dict[str, Any]) -> None:
     assert report["anatomy"]["rms_mm"] == pytest.approx(COMMITTED_RMS_MM, abs=COMMITTED_ROUNDED_MM)
     assert report["fitted"]["rms_mm"] <= report["anatomy"]["rms_mm"]
-    assert [*report["anatomy"]["center_m"], *report["anatomy"]["radii_m"]] == list(
-        ellipsoid_of(ELLIPSOIDS)
-    )
+    assert [*report["anatomy"]["center_m"], *report["anatomy"]["radii_m"]] == list(ellipsoid_of(ELLIPSOIDS))
 
 
 def test_no_number_of_the_fit_is_known_worse_than_the_ribcage_tells_it(report: dict[str, Any]) -> None:
@@ -157,16 +151,12 @@ def test_the_file_holds_the_fit_and_the_same_ribcage(
     written = tmp_path / "thorax.csv"
     assert list(ellipsoid_of(written)) == report["fitted"]["center_m"] + report["fitted"]["radii_m"]
     assert list(ellipsoid_of(written, "ribcage")) == list(ellipsoid_of(ELLIPSOIDS, "ribcage"))
-    comments = "\n".join(
-        line for line in written.read_text().splitlines() if line.startswith("#")
-    )
+    comments = "\n".join(line for line in written.read_text().splitlines() if line.startswith("#"))
     for words in ("girdle fit-thorax --table", str(DATABASE), "57 measured positions", "Units: meters"):
         assert words in comments
 
 
-def test_ellipsoids_on_standard_output_are_alone_there(
-    girdle_fine: Girdle, tmp_path: Path
-) -> None:
+def test_ellipsoids_on_standard_output_are_alone_there(girdle_fine: Girdle, tmp_path: Path) -> None:
     girdle_fine("fit-thorax", "--out", "thorax.csv")
     assert girdle_fine("fit-thorax", "--out", "-").output == (tmp_path / "thorax.csv").read_bytes()
 

@@ -102,9 +102,7 @@ def test_a_model_of_girdle_seen_through_a_mapping_is_at_the_measured_places(
     assert len(result["positions"]) == 13 * 16
 
 
-def test_the_report_ends_with_what_the_figures_allow_to_say(
-    girdle_fine: Girdle, write: Write
-) -> None:
+def test_the_report_ends_with_what_the_figures_allow_to_say(girdle_fine: Girdle, write: Write) -> None:
     model, mapping = write()
     printed = girdle_fine("verify", model, "--mapping", mapping, *GRID, "--full").text
     head = printed.splitlines()[:3]
@@ -137,9 +135,7 @@ def test_a_compiled_model_gives_what_its_text_gives(girdle_fine: Girdle, write: 
     assert texts[0].splitlines()[1:] == texts[1].splitlines()[1:]
 
 
-def test_landmarks_of_one_bone_that_move_against_each_other_fail(
-    girdle: Girdle, write: Write
-) -> None:
+def test_landmarks_of_one_bone_that_move_against_each_other_fail(girdle: Girdle, write: Write) -> None:
     rows = "PAC,body,blade{}\nTS,body,blade{}\nAI,body,upper{}\n".format(
         ",,,,,,0,0,0", ",,,,,,0,0,-0.13", ",,,,,,0,-0.1,-0.13"
     )

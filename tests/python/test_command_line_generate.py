@@ -33,9 +33,7 @@ def changed_angle_deg(tmp_path: Path) -> float:
     lines = DATABASE.read_text().splitlines()
     columns = next(line for line in lines if not line.startswith("#")).split(",")
     (number,) = (
-        i
-        for i, line in enumerate(lines)
-        if line.startswith(f"{CHANGED_PLANE},{CHANGED_ELEVATION},")
+        i for i, line in enumerate(lines) if line.startswith(f"{CHANGED_PLANE},{CHANGED_ELEVATION},")
     )
     fields = lines[number].split(",")
     angle_deg = float(fields[columns.index(CHANGED_COLUMN)]) + CHANGE_DEG
@@ -91,9 +89,7 @@ def test_an_absolute_place_gives_the_same_bytes_as_a_relative_one(
     assert contents(tmp_path / "relative") == contents(tmp_path / "absolute")
 
 
-def test_what_else_is_in_the_folder_stays(
-    girdle_fine: Girdle, generated: Path, tmp_path: Path
-) -> None:
+def test_what_else_is_in_the_folder_stays(girdle_fine: Girdle, generated: Path, tmp_path: Path) -> None:
     (tmp_path / "model").mkdir()
     (tmp_path / "model" / "notes.txt").write_text("mine\n")
     (tmp_path / "model" / SCENE_FILE).write_text("earlier\n")
@@ -136,9 +132,7 @@ def test_the_model_says_what_it_moves_by(
     assert tuple(config[key] for key in keys) == expected
 
 
-def test_the_model_carries_the_table(
-    girdle_fine: Girdle, tmp_path: Path, changed_angle_deg: float
-) -> None:
+def test_the_model_carries_the_table(girdle_fine: Girdle, tmp_path: Path, changed_angle_deg: float) -> None:
     girdle_fine("generate", "--out", "model", "--table", "mine.csv")
     table = plugin_config(tmp_path / "model" / MODEL_FILE)["table"]
     assert table is not None
@@ -164,13 +158,9 @@ def test_a_model_with_a_table_of_its_own_moves_by_it(
     (tmp_path / "stay.csv").write_text(
         f"time_s,elevation_deg,plane_deg\n0,{CHANGED_ELEVATION},{CHANGED_PLANE}\n"
     )
-    trace = girdle_fine(
-        "simulate", f"model/{SCENE_FILE}", "--in", "stay.csv", "--out", "-"
-    ).text
+    trace = girdle_fine("simulate", f"model/{SCENE_FILE}", "--in", "stay.csv", "--out", "-").text
     (row,) = csv.DictReader(trace.splitlines())
-    assert float(row[f"target_{CHANGED_COLUMN}"]) == pytest.approx(
-        changed_angle_deg, abs=ROUNDING_DEG
-    )
+    assert float(row[f"target_{CHANGED_COLUMN}"]) == pytest.approx(changed_angle_deg, abs=ROUNDING_DEG)
 
 
 # --- Further commands ----------------------------------------------------------------------------

@@ -55,15 +55,9 @@ def turned(angles_deg: dict[str, float], joint: str, sequence: str) -> npt.NDArr
 
 def expected_mm(angles_deg: dict[str, float]) -> dict[str, Vector]:
     """Bones hung from each other by ISB's sequences, from the file of landmarks."""
-    lines = [
-        line
-        for line in (DATA / "landmarks.csv").read_text().splitlines()
-        if not line.startswith("#")
-    ]
+    lines = [line for line in (DATA / "landmarks.csv").read_text().splitlines() if not line.startswith("#")]
     rows = list(csv.DictReader(lines))
-    own_mm = {
-        row["landmark"]: 1e3 * np.array([float(row[f"{axis}_m"]) for axis in "xyz"]) for row in rows
-    }
+    own_mm = {row["landmark"]: 1e3 * np.array([float(row[f"{axis}_m"]) for axis in "xyz"]) for row in rows}
     R_TC = turned(angles_deg, "sc", "yxz")
     R_TS = R_TC @ turned(angles_deg, "ac", "yxz")
     R_TH = R_TS @ turned(angles_deg, "gh", "xzy")
@@ -77,8 +71,7 @@ def expected_mm(angles_deg: dict[str, float]) -> dict[str, Vector]:
         "humerus": (R_TH, p_TH),
     }
     points_mm = {
-        row["landmark"].lower(): place[row["segment"]][1]
-        + place[row["segment"]][0] @ own_mm[row["landmark"]]
+        row["landmark"].lower(): place[row["segment"]][1] + place[row["segment"]][0] @ own_mm[row["landmark"]]
         for row in rows
     }
     points_mm["elbow"] = (points_mm["em"] + points_mm["el"]) / 2
@@ -114,9 +107,7 @@ def test_a_table_has_the_columns_of_one_pose_behind_its_others(girdle_fine: Gird
         pose = ("--elevation", row["elevation_deg"], "--plane", "10", "--landmarks", "--json")
         one = json.loads(girdle_fine("solve", *pose).text)["landmarks_mm"]
         expected = [coordinate for point in POINTS for coordinate in one[point]]
-        assert [float(row[column]) for column in COLUMNS] == pytest.approx(
-            expected, abs=AGREEMENT_MM
-        )
+        assert [float(row[column]) for column in COLUMNS] == pytest.approx(expected, abs=AGREEMENT_MM)
 
 
 @pytest.mark.parametrize("pose", [("--elevation", "80", "--plane", "5"), ("--posture", "relaxed")])

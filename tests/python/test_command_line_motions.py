@@ -30,9 +30,7 @@ def read_rows(text: str) -> Rows:
 def direction(elevation_deg: float, plane_deg: float) -> np.ndarray:
     """The humerus's unit vector in the thorax: x forward, y up, z to the right."""
     theta, psi = math.radians(elevation_deg), math.radians(plane_deg)
-    return np.array(
-        [math.sin(theta) * math.sin(psi), -math.cos(theta), math.sin(theta) * math.cos(psi)]
-    )
+    return np.array([math.sin(theta) * math.sin(psi), -math.cos(theta), math.sin(theta) * math.cos(psi)])
 
 
 def angle_deg(a: np.ndarray, b: np.ndarray) -> float:
@@ -78,9 +76,7 @@ SWING = ((0, 8, -90), (0.3, 20, -90), (0.6, 32, -90), (0.9, 45, -90), (1.2, 20, 
 
 
 def motion_text(rows: tuple[tuple[float, ...], ...]) -> str:
-    return "time_s,elevation_deg,plane_deg\n" + "".join(
-        ",".join(map(str, row)) + "\n" for row in rows
-    )
+    return "time_s,elevation_deg,plane_deg\n" + "".join(",".join(map(str, row)) + "\n" for row in rows)
 
 
 def test_an_arm_that_swings_back_goes_where_it_is_told_to(traced: Traced) -> None:
@@ -120,9 +116,7 @@ def walking_text() -> str:
     return "time_s,elevation_deg,plane_deg,axial_deg\n" + "\n".join(rows) + "\n"
 
 
-def test_a_walking_arm_is_followed_in_every_row(
-    girdle: Girdle, scene: Path, tmp_path: Path
-) -> None:
+def test_a_walking_arm_is_followed_in_every_row(girdle: Girdle, scene: Path, tmp_path: Path) -> None:
     (tmp_path / "walk.csv").write_text(walking_text())
     solved = girdle("solve", "--in", "walk.csv", "--out", "walked.csv")
     assert (solved.code, solved.output) == (0, b"")
@@ -257,9 +251,7 @@ def test_negative_elevations_of_options_are_refused(
 
 
 def test_isbs_elevations_are_read_where_that_is_said(girdle_fine: Girdle, traced: Traced) -> None:
-    rows = read_rows(
-        girdle_fine("solve", "--in", "-", "--convention", "isb", stdin=ISB_TEXT.encode()).text
-    )
+    rows = read_rows(girdle_fine("solve", "--in", "-", "--convention", "isb", stdin=ISB_TEXT.encode()).text)
     ours = ISB_TEXT.replace("-", "")
     expected = read_rows(girdle_fine("solve", "--in", "-", stdin=ours.encode()).text)
     for row, same, (elevation_deg, _) in zip(rows, expected, ISB, strict=True):
@@ -271,9 +263,7 @@ def test_isbs_elevations_are_read_where_that_is_said(girdle_fine: Girdle, traced
     assert traced(isb, "--convention", "isb") == traced(isb.replace("-", ""))
 
 
-def test_isbs_elevations_of_options_are_read_where_that_is_said(
-    girdle_fine: Girdle, scene: Path
-) -> None:
+def test_isbs_elevations_of_options_are_read_where_that_is_said(girdle_fine: Girdle, scene: Path) -> None:
     isb = ("--convention", "isb")
 
     def same(verb: tuple[str | Path, ...], elevation: str, negative: str) -> None:
@@ -311,9 +301,7 @@ def test_a_sweep_stands_as_it_was_typed(girdle_fine: Girdle) -> None:
     assert plain.startswith("elevation_deg,plane_deg,sc_protraction_deg,")
 
 
-def test_a_convention_that_contradicts_the_file_is_refused(
-    refuses: Refuses, tmp_path: Path
-) -> None:
+def test_a_convention_that_contradicts_the_file_is_refused(refuses: Refuses, tmp_path: Path) -> None:
     (tmp_path / "poses.csv").write_text("elevation_deg,plane_deg\n-15,40\n45,40\n")
     contradicted = ("poses.csv:3: elevation_deg is 45: ISB's", "--convention girdle", r"plane \+ 180")
     refuses("solve", "--in", "poses.csv", "--convention", "isb", because=contradicted)
@@ -331,9 +319,7 @@ RADIANS = "elevation_deg,plane_deg\n" + "".join(f"{0.1 + 0.2 * i},0.7\n" for i i
 
 
 @pytest.mark.parametrize("out", ["-", "angles.csv"])
-def test_a_file_that_looks_like_radians_is_refused(
-    refuses: Refuses, tmp_path: Path, out: str
-) -> None:
+def test_a_file_that_looks_like_radians_is_refused(refuses: Refuses, tmp_path: Path, out: str) -> None:
     (tmp_path / "poses.csv").write_text(RADIANS)
     because = ("poses.csv: in 10 rows", "look like radians", "--angles rad", "--angles deg")
     refuses("solve", "--in", "poses.csv", "--out", out, because=because)
@@ -345,18 +331,14 @@ def test_a_stream_that_looks_like_radians_is_refused(refuses: Refuses) -> None:
     refuses(*words, because=because, stdin=RADIANS.encode())
 
 
-def test_a_motion_that_looks_like_radians_is_refused(
-    refuses: Refuses, scene: Path, tmp_path: Path
-) -> None:
+def test_a_motion_that_looks_like_radians_is_refused(refuses: Refuses, scene: Path, tmp_path: Path) -> None:
     rows = tuple((i / 10, 0.1 + 0.2 * i, 0.7) for i in range(10))
     (tmp_path / "motion.csv").write_text(motion_text(rows))
     words = ("simulate", scene, "--in", "motion.csv", "--out", "trace.csv")
     refuses(*words, because=("motion.csv: in 10 rows", "look like radians", "--angles rad"))
 
 
-def test_radians_with_planes_up_to_a_whole_turn_are_refused(
-    refuses: Refuses, tmp_path: Path
-) -> None:
+def test_radians_with_planes_up_to_a_whole_turn_are_refused(refuses: Refuses, tmp_path: Path) -> None:
     (tmp_path / "poses.csv").write_text(RADIANS.replace(",0.7", ",5.6"))
     because = ("poses.csv: in 10 rows", "plane_deg 5.6 to 5.6", "look like radians")
     refuses("solve", "--in", "poses.csv", because=because)
@@ -386,9 +368,7 @@ def test_the_unit_of_options_is_degrees(refuses: Refuses) -> None:
         ("nan,40", "elevation_deg is 'nan', expected a finite number"),
     ],
 )
-def test_what_is_no_direction_is_refused(
-    refuses: Refuses, tmp_path: Path, row: str, reason: str
-) -> None:
+def test_what_is_no_direction_is_refused(refuses: Refuses, tmp_path: Path, row: str, reason: str) -> None:
     (tmp_path / "poses.csv").write_text(f"elevation_deg,plane_deg\n60,40\n{row}\n")
     words = ("solve", "--in", "poses.csv", "--out", "angles.csv")
     refuses(*words, because=(r"poses.csv:3: ", reason))
@@ -429,9 +409,7 @@ def test_a_column_that_is_nearly_known_is_refused_by_every_verb(
 
 def test_a_motion_starts_at_its_first_time(traced: Traced) -> None:
     def motion(first_s: float) -> str:
-        return motion_text(
-            ((first_s, 20, 40), (first_s + 0.25, 40, 40), (first_s + 0.5, 60, 40))
-        )
+        return motion_text(((first_s, 20, 40), (first_s + 0.25, 40, 40), (first_s + 0.5, 60, 40)))
 
     rows = traced(motion(3600.0))
     assert len(rows) == 251
@@ -439,9 +417,7 @@ def test_a_motion_starts_at_its_first_time(traced: Traced) -> None:
     assert rows == traced(motion(-8.0))
 
 
-def test_a_motion_may_be_longer_where_that_is_said(
-    refuses: Refuses, scene: Path, tmp_path: Path
-) -> None:
+def test_a_motion_may_be_longer_where_that_is_said(refuses: Refuses, scene: Path, tmp_path: Path) -> None:
     """What is refused is then the trace, which the disk has no room for."""
     free = shutil.disk_usage(tmp_path).free
     step_s, least_bytes_of_a_row = 0.002, 1000
@@ -458,9 +434,7 @@ def test_a_motion_may_be_longer_where_that_is_said(
 MIXED = "elevation_deg,plane_deg,axial_deg\n60,40,0\n60,-40,0\n90,200,0\n60,40,170\n"
 
 
-def test_a_file_ends_with_a_line_that_counts(
-    girdle: Girdle, scene: Path, tmp_path: Path
-) -> None:
+def test_a_file_ends_with_a_line_that_counts(girdle: Girdle, scene: Path, tmp_path: Path) -> None:
     finished = girdle("solve", "--in", "-", "--out", "angles.csv", stdin=MIXED.encode())
     rows = read_rows((tmp_path / "angles.csv").read_text())
     assert [row["clamped"] for row in rows] == ["0", "0", "1", "1"]
@@ -482,9 +456,7 @@ def test_a_file_ends_with_a_line_that_counts(
     assert (summary["rows"], summary["clamped_rows"], summary["modelled_rows"]) == (6, 0, 0)
 
 
-def test_columns_are_pointed_to_where_they_are_written(
-    girdle: Girdle, scene: Path, tmp_path: Path
-) -> None:
+def test_columns_are_pointed_to_where_they_are_written(girdle: Girdle, scene: Path, tmp_path: Path) -> None:
     (tmp_path / "motion.csv").write_text(motion_text(((0, 60, 200), (0.01, 60, 200))))
     words = ("simulate", scene, "--in", "motion.csv")
     said = "girdle: motion.csv: 6 simulated states, 6 clamped (6 beyond what an arm reaches"

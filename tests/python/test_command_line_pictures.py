@@ -92,9 +92,7 @@ def drawn() -> dict[tuple[str | None, ...], Png]:
 
 
 @pytest.fixture
-def draw(
-    girdle_fine: Girdle, scene: Path, tmp_path: Path, drawn: dict[tuple[str | None, ...], Png]
-) -> Draw:
+def draw(girdle_fine: Girdle, scene: Path, tmp_path: Path, drawn: dict[tuple[str | None, ...], Png]) -> Draw:
     """Renders the generated scene, small, with these arguments; each picture once."""
 
     def run(*arguments: str, model: Path = scene) -> Png:
@@ -121,9 +119,7 @@ def test_a_picture_is_640_by_480_unless_said_otherwise(
 
 
 @pytest.mark.numbers
-def test_the_same_command_gives_the_same_bytes(
-    girdle_fine: Girdle, scene: Path, tmp_path: Path
-) -> None:
+def test_the_same_command_gives_the_same_bytes(girdle_fine: Girdle, scene: Path, tmp_path: Path) -> None:
     for name in ("a.png", "b.png"):
         girdle_fine("render", scene, *SMALL, "--out", name)
     assert (tmp_path / "a.png").read_bytes() == (tmp_path / "b.png").read_bytes()
@@ -268,8 +264,7 @@ def test_a_girdle_is_frozen_where_its_skin_was_bound(draw: Draw, write_model: Wr
 def test_any_model_can_be_drawn(draw: Draw, tmp_path: Path) -> None:
     model = tmp_path / "ball.xml"
     model.write_text(
-        "<mujoco><worldbody><body><freejoint/><geom size='1' rgba='1 0 0 1'/></body></worldbody>"
-        "</mujoco>"
+        "<mujoco><worldbody><body><freejoint/><geom size='1' rgba='1 0 0 1'/></body></worldbody></mujoco>"
     )
     assert red_pixels(draw(model=model)) > 1000
 
@@ -409,9 +404,7 @@ def literal(text: str) -> str:
         (("--out", "no/such/arm.png"), "arm.png: cannot be written"),
     ],
 )
-def test_render_refuses(
-    refuses: Refuses, scene: Path, words: tuple[str, ...], because: str
-) -> None:
+def test_render_refuses(refuses: Refuses, scene: Path, words: tuple[str, ...], because: str) -> None:
     out = () if "--out" in words else ("--out", "arm.png")
     refuses("render", scene, *out, *words, because=(literal(because),))
 
@@ -433,9 +426,7 @@ def test_render_refuses(
         (("--out-picture", "no/such/a.png"), "a.png: cannot be written"),
     ],
 )
-def test_simulate_refuses(
-    refuses: Refuses, scene: Path, words: tuple[str, ...], because: str
-) -> None:
+def test_simulate_refuses(refuses: Refuses, scene: Path, words: tuple[str, ...], because: str) -> None:
     refuses("simulate", scene, *RAISE, "--out", "t.csv", *words, because=(literal(because),))
 
 
@@ -454,9 +445,7 @@ def test_a_machine_that_cannot_draw_is_told_what_to_install(
     refuses("simulate", scene, *RAISE, "--out-video", "arm.mp4", because=because)
 
 
-@pytest.mark.parametrize(
-    ("platform", "library"), [("egl", "libEGL.so.1"), ("osmesa", "libOSMesa.so.8")]
-)
+@pytest.mark.parametrize(("platform", "library"), [("egl", "libEGL.so.1"), ("osmesa", "libOSMesa.so.8")])
 def test_a_library_that_is_broken_is_named(
     refuses: Refuses,
     scene: Path,
@@ -502,9 +491,7 @@ def test_a_machine_without_ffmpeg_is_told_what_to_install(
     refuses("simulate", scene, *RAISE, "--out-video", "arm.mp4", because=because)
 
 
-def test_what_cannot_be_drawn_leaves_the_earlier_file(
-    girdle: Girdle, scene: Path, tmp_path: Path
-) -> None:
+def test_what_cannot_be_drawn_leaves_the_earlier_file(girdle: Girdle, scene: Path, tmp_path: Path) -> None:
     (tmp_path / "arm.png").write_text("earlier")
     before = contents(tmp_path)
     assert girdle("render", scene, "--camera", "below", "--out", "arm.png").code == 2
@@ -537,9 +524,7 @@ def test_doctor_says_what_draws(
     assert pictures["problem"] == pictures["fix"] == ""
 
 
-def test_doctor_is_fine_where_nothing_draws(
-    girdle: Girdle, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_doctor_is_fine_where_nothing_draws(girdle: Girdle, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("GIRDLE_GL", "none")
     pictures = diagnosis(girdle)["pictures"]
     assert pictures["found"] == ""

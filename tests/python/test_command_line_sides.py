@@ -47,9 +47,7 @@ def root_of(scene: Path) -> ElementTree.Element:
 # --- Words of generate ---------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(
-    ("side", "actuation"), list(itertools.product(SIDES, ["plugin", "position"]))
-)
+@pytest.mark.parametrize(("side", "actuation"), list(itertools.product(SIDES, ["plugin", "position"])))
 def test_the_names_of_the_files_say_side_and_servos(
     girdle_fine: Girdle, tmp_path: Path, side: str, actuation: str
 ) -> None:
@@ -68,9 +66,7 @@ def test_variants_stand_beside_each_other_in_a_folder(girdle_fine: Girdle, tmp_p
     assert len(contents(tmp_path / "model")) == 12
 
 
-@pytest.mark.parametrize(
-    "words", [("--side", "right"), ("--assembly", "tree"), ("--actuation", "plugin")]
-)
+@pytest.mark.parametrize("words", [("--side", "right"), ("--assembly", "tree"), ("--actuation", "plugin")])
 def test_a_word_that_says_the_default_changes_nothing(
     girdle_fine: Girdle, generated: Path, tmp_path: Path, words: tuple[str, ...]
 ) -> None:
@@ -160,10 +156,7 @@ def test_a_loop_of_a_table_of_two_planes_is_refused(refuses: Refuses, tmp_path: 
 
 
 def rows_of(text: str) -> list[dict[str, float]]:
-    return [
-        {name: float(value) for name, value in row.items()}
-        for row in csv.DictReader(io.StringIO(text))
-    ]
+    return [{name: float(value) for name, value in row.items()} for row in csv.DictReader(io.StringIO(text))]
 
 
 @pytest.mark.parametrize("assembly", ASSEMBLIES)
@@ -233,8 +226,7 @@ def test_the_plugin_and_the_servos_write_the_same_controls(
     for assembly in ASSEMBLIES.values():
         words = (*RAISE, "--out-controls", "-")
         plugin, position = (
-            rows_of(girdle_fine("simulate", models(*assembly, *kind), *words).text)
-            for kind in ((), POSITION)
+            rows_of(girdle_fine("simulate", models(*assembly, *kind), *words).text) for kind in ((), POSITION)
         )
         assert len(plugin) == len(position) == STEPS + 1
         for one, other in zip(plugin, position, strict=True):
@@ -255,9 +247,7 @@ def test_controls_to_standard_output_are_all_of_it(
     assert text == (tmp_path / "c.csv").read_text()
 
 
-def test_json_names_the_file_of_the_controls(
-    girdle_fine: Girdle, generated: Path, tmp_path: Path
-) -> None:
+def test_json_names_the_file_of_the_controls(girdle_fine: Girdle, generated: Path, tmp_path: Path) -> None:
     scene = generated / "scene.xml"
     words = ("simulate", scene, *RAISE, "--json")
     answer = json.loads(girdle_fine(*words, "--out-controls", "c.csv", "--out", "t.csv").text)
@@ -282,9 +272,7 @@ REFUSED_CONTROLS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
 }
 
 
-@pytest.mark.parametrize(
-    ("words", "because"), REFUSED_CONTROLS.values(), ids=REFUSED_CONTROLS.keys()
-)
+@pytest.mark.parametrize(("words", "because"), REFUSED_CONTROLS.values(), ids=REFUSED_CONTROLS.keys())
 def test_controls_that_cannot_be_written_are_refused(
     refuses: Refuses, generated: Path, words: tuple[str, ...], because: tuple[str, ...]
 ) -> None:
@@ -306,9 +294,7 @@ def test_offsets_of_servos_follow_the_motion(
     girdle_fine: Girdle, models: Callable[..., Path], tmp_path: Path
 ) -> None:
     """Position servos need no command for them: what they are given says all."""
-    (tmp_path / "shrug.csv").write_text(
-        "time_s,elevation_deg,plane_deg,shrug_deg\n0,60,40,0\n0.02,60,40,8\n"
-    )
+    (tmp_path / "shrug.csv").write_text("time_s,elevation_deg,plane_deg,shrug_deg\n0,60,40,0\n0.02,60,40,8\n")
     words = ("--in", "shrug.csv", "--out-controls", "-")
     rows = rows_of(girdle_fine("simulate", models(*POSITION), *words).text)
     offsets = rows_of(girdle_fine("simulate", models("--offsets"), *words).text)
@@ -333,9 +319,7 @@ def test_a_model_with_servos_follows_the_rhythm_that_is_said(
 def test_a_motion_that_the_program_does_not_finish_leaves_no_half_written_controls(
     refuses: Refuses, generated: Path, tmp_path: Path
 ) -> None:
-    (tmp_path / "shrug.csv").write_text(
-        "time_s,elevation_deg,plane_deg,shrug_deg\n0,60,40,0\n0.02,60,40,8\n"
-    )
+    (tmp_path / "shrug.csv").write_text("time_s,elevation_deg,plane_deg,shrug_deg\n0,60,40,0\n0.02,60,40,8\n")
     (tmp_path / "c.csv").write_text("earlier\n")
     refuses(
         *("simulate", generated / "scene.xml", "--in", "shrug.csv", "--out-controls", "c.csv"),
@@ -344,15 +328,11 @@ def test_a_motion_that_the_program_does_not_finish_leaves_no_half_written_contro
     assert os.listdir(tmp_path).count("c.csv") == 1
 
 
-def test_controls_are_not_written_of_a_model_that_feeds_forward(
-    girdle: Girdle, tmp_path: Path
-) -> None:
+def test_controls_are_not_written_of_a_model_that_feeds_forward(girdle: Girdle, tmp_path: Path) -> None:
     """Position servos are given angles, not rates: they would not repeat its motion."""
     assert girdle("generate", "--rates", "--out", tmp_path).code == 0
     controls = tmp_path / "controls.csv"
-    finished = girdle(
-        "simulate", tmp_path / "scene.xml", "--elevation", "0:60", "--out-controls", controls
-    )
+    finished = girdle("simulate", tmp_path / "scene.xml", "--elevation", "0:60", "--out-controls", controls)
     assert finished.code == 2
     assert "without --rates" in finished.message
     assert not controls.exists()

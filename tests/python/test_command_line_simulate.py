@@ -90,17 +90,13 @@ def test_the_trace_has_a_row_for_every_step_and_one_for_the_start(
     girdle_fine: Girdle, scene: Path, seconds: str
 ) -> None:
     step_s = timestep_s(scene.parent / MODEL_FILE)
-    text = girdle_fine(
-        "simulate", scene, "--elevation", "15:120", "--seconds", seconds, "--out", "-"
-    ).text
+    text = girdle_fine("simulate", scene, "--elevation", "15:120", "--seconds", seconds, "--out", "-").text
     times_s = [row["time_s"] for row in read_trace(text)]
     expected_s = [i * step_s for i in range(round(float(seconds) / step_s) + 1)]
     assert times_s == pytest.approx(expected_s, abs=ROUNDING)
 
 
-def test_the_rows_follow_the_models_own_time_step(
-    girdle_fine: Girdle, write_model: WriteModel
-) -> None:
+def test_the_rows_follow_the_models_own_time_step(girdle_fine: Girdle, write_model: WriteModel) -> None:
     scene = write_model(lambda root: find_element(root, "option").set("timestep", "0.005"))
     rows = read_trace(girdle_fine("simulate", scene, *RAISE, "--out", "-").text)
     assert len(rows) == 101
@@ -161,22 +157,16 @@ def test_a_raise_is_in_the_frontal_plane_for_two_seconds_unless_told_otherwise(
     assert girdle_fine("simulate", scene, *long, "--out", "-").output == short
 
 
-MOTION = (
-    "time_s,elevation_deg,plane_deg,axial_deg\n0,20,5,0\n0.1,40,5,10\n0.3,100,85,-10\n0.4,90,80,0\n"
-)
+MOTION = "time_s,elevation_deg,plane_deg,axial_deg\n0,20,5,0\n0.1,40,5,10\n0.3,100,85,-10\n0.4,90,80,0\n"
 
 
 def direction(elevation_deg: float, plane_deg: float) -> np.ndarray:
     """The humerus's unit vector in the thorax: x forward, y up, z to the right."""
     theta, psi = math.radians(elevation_deg), math.radians(plane_deg)
-    return np.array(
-        [math.sin(theta) * math.sin(psi), -math.cos(theta), math.sin(theta) * math.cos(psi)]
-    )
+    return np.array([math.sin(theta) * math.sin(psi), -math.cos(theta), math.sin(theta) * math.cos(psi)])
 
 
-def slerp_deg(
-    start: tuple[float, float], end: tuple[float, float], share: float
-) -> tuple[float, float]:
+def slerp_deg(start: tuple[float, float], end: tuple[float, float], share: float) -> tuple[float, float]:
     """Elevation and plane a share of the way along the great circle."""
     a, b = direction(*start), direction(*end)
     whole = math.acos(a @ b)
@@ -206,9 +196,7 @@ def test_a_motion_file_is_followed_straight_from_row_to_row(
     assert max(rows) == 0.4
 
 
-def test_a_motion_file_without_axial_turns_nothing(
-    girdle_fine: Girdle, scene: Path, tmp_path: Path
-) -> None:
+def test_a_motion_file_without_axial_turns_nothing(girdle_fine: Girdle, scene: Path, tmp_path: Path) -> None:
     (tmp_path / "motion.csv").write_text("plane_deg,time_s,elevation_deg\n5,0,20\n15,0.1,40\n")
     text = girdle_fine("simulate", scene, "--in", "motion.csv", "--out", "-").text
     rows = read_trace(text)
@@ -238,23 +226,17 @@ def test_two_runs_give_the_same_bytes(girdle_fine: Girdle, scene: Path, tmp_path
     assert (tmp_path / "trace.csv").read_bytes() == first_trace
 
 
-def test_a_trace_on_standard_output_is_alone_there(
-    girdle_fine: Girdle, scene: Path, tmp_path: Path
-) -> None:
+def test_a_trace_on_standard_output_is_alone_there(girdle_fine: Girdle, scene: Path, tmp_path: Path) -> None:
     girdle_fine("simulate", scene, *RAISE, "--out", "trace.csv")
     printed = girdle_fine("simulate", scene, *RAISE, "--out", "-").output
     assert printed == (tmp_path / "trace.csv").read_bytes()
 
 
-def test_the_summary_tells_what_the_trace_holds(
-    girdle_fine: Girdle, scene: Path, tmp_path: Path
-) -> None:
+def test_the_summary_tells_what_the_trace_holds(girdle_fine: Girdle, scene: Path, tmp_path: Path) -> None:
     options = (*RAISE, "--out", "trace.csv", "--json")
     summary = json.loads(girdle_fine("simulate", scene, *options).text)
     rows = read_trace((tmp_path / "trace.csv").read_text())
-    errors_deg = [
-        max(abs(row[f"target_{c}_deg"] - row[f"{c}_deg"]) for c in COORDINATES) for row in rows
-    ]
+    errors_deg = [max(abs(row[f"target_{c}_deg"] - row[f"{c}_deg"]) for c in COORDINATES) for row in rows]
     assert summary["rows"] == len(rows)
     assert summary["trace"] == "trace.csv"
     assert summary["duration_s"] == rows[-1]["time_s"]
@@ -274,9 +256,7 @@ def test_the_text_gives_the_numbers_of_the_json(girdle_fine: Girdle, scene: Path
     assert re.match(expected, text), text
 
 
-def test_without_a_trace_no_file_is_written(
-    girdle_fine: Girdle, scene: Path, tmp_path: Path
-) -> None:
+def test_without_a_trace_no_file_is_written(girdle_fine: Girdle, scene: Path, tmp_path: Path) -> None:
     summary = json.loads(girdle_fine("simulate", scene, *RAISE, "--json").text)
     assert summary["trace"] is None
     assert contents(tmp_path) == {}
@@ -324,9 +304,7 @@ NO_MOTIONS: list[tuple[tuple[str, ...], tuple[str, ...]]] = [
 ]
 
 
-@pytest.mark.parametrize(
-    ("words", "patterns"), NO_MOTIONS, ids=[" ".join(words) for words, _ in NO_MOTIONS]
-)
+@pytest.mark.parametrize(("words", "patterns"), NO_MOTIONS, ids=[" ".join(words) for words, _ in NO_MOTIONS])
 def test_a_motion_that_is_not_one_is_refused(
     refuses: Refuses,
     scene: Path,
@@ -387,9 +365,7 @@ def test_a_mistake_in_a_motion_file_is_refused_with_file_and_line(
 # --- Outside what was measured -------------------------------------------------------------------
 
 
-def test_the_trace_says_how_far_each_command_is_from_measured_ones(
-    girdle_fine: Girdle, scene: Path
-) -> None:
+def test_the_trace_says_how_far_each_command_is_from_measured_ones(girdle_fine: Girdle, scene: Path) -> None:
     motion = ("--elevation", "0:150", "--plane", "0", "--seconds", "0.2")
     rows = read_trace(girdle_fine("simulate", scene, *motion, "--out", "-").text)
     for row in rows:
@@ -398,9 +374,7 @@ def test_the_trace_says_how_far_each_command_is_from_measured_ones(
         assert row["distance_deg"] == pytest.approx(expected_deg, abs=ROUNDING), row["time_s"]
 
 
-def test_the_summary_says_that_a_motion_leaves_what_was_measured(
-    girdle_fine: Girdle, scene: Path
-) -> None:
+def test_the_summary_says_that_a_motion_leaves_what_was_measured(girdle_fine: Girdle, scene: Path) -> None:
     high = ("simulate", scene, "--elevation", "90:150", "--plane", "0", "--seconds", "0.2")
     summary = json.loads(girdle_fine(*high, "--json").text)
     assert summary["worst_distance_deg"] == pytest.approx(30, abs=ROUNDING)
@@ -423,9 +397,7 @@ def test_commands_out_of_reach_are_counted(girdle_fine: Girdle, scene: Path) -> 
 
 # --- Offsets -------------------------------------------------------------------------------------
 
-SHRUG = (
-    "time_s,elevation_deg,plane_deg,shrug_deg,protraction_deg\n0,30,20,0,0\n0.2,60,40,10,-4\n"
-)
+SHRUG = "time_s,elevation_deg,plane_deg,shrug_deg,protraction_deg\n0,30,20,0,0\n0.2,60,40,10,-4\n"
 
 
 @pytest.fixture
@@ -484,9 +456,7 @@ def test_the_offsets_that_were_left_are_those_of_solve(
             assert used_deg == pytest.approx({o: left_deg[o] for o in OFFSETS}, abs=ROUNDING)
 
 
-def test_a_column_of_zeros_needs_no_command(
-    girdle_fine: Girdle, scene: Path, tmp_path: Path
-) -> None:
+def test_a_column_of_zeros_needs_no_command(girdle_fine: Girdle, scene: Path, tmp_path: Path) -> None:
     zeros = SHRUG.replace(",10,-4", ",0,0")
     (tmp_path / "motion.csv").write_text(zeros)
     girdle_fine("simulate", scene, "--in", "motion.csv")
@@ -550,9 +520,7 @@ def test_a_model_that_moves_by_another_rhythm_is_refused(
     refuses("simulate", scene, *RAISE, "--out", "trace.csv", *options, because=because)
 
 
-def test_a_model_that_moves_by_the_rhythm_named_is_simulated(
-    girdle_fine: Girdle, scene: Path
-) -> None:
+def test_a_model_that_moves_by_the_rhythm_named_is_simulated(girdle_fine: Girdle, scene: Path) -> None:
     options = ("--interpolation", "smooth", "--closure", "exact", "--range", "whole")
     table = ("--table", "smoothed")
     plain = girdle_fine("simulate", scene, *RAISE, "--out", "-").output

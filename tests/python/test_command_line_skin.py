@@ -98,9 +98,7 @@ def test_a_model_leaves_the_skin_of_another_one_in_the_folder_alone(
         *("humerus-length 0.1", "humerus-length 0.5", "stature 0.5", "stature 2.8"),
     ],
 )
-def test_a_body_of_any_size_that_is_taken_has_a_skin(
-    girdle_fine: Girdle, tmp_path: Path, size: str
-) -> None:
+def test_a_body_of_any_size_that_is_taken_has_a_skin(girdle_fine: Girdle, tmp_path: Path, size: str) -> None:
     option, length = size.split()
     girdle_fine("generate", "--out", "model", *SKIN, f"--{option}", length)
     model = load(tmp_path / "model" / "scene.xml")
@@ -108,9 +106,7 @@ def test_a_body_of_any_size_that_is_taken_has_a_skin(
     assert np.isfinite(model.skin_vert).all()
 
 
-def test_the_same_words_give_the_same_bytes(
-    models: Models, girdle_fine: Girdle, tmp_path: Path
-) -> None:
+def test_the_same_words_give_the_same_bytes(models: Models, girdle_fine: Girdle, tmp_path: Path) -> None:
     girdle_fine("generate", "--out", "again", *SKIN, *words("both", "tree", "plugin"))
     assert contents(tmp_path / "again") == contents(models("both", "tree", "plugin").parent)
 
@@ -128,9 +124,7 @@ def test_a_body_of_another_size_has_another_skin(
     assert (tmp_path / "model" / "shoulder_right.skn").read_bytes() != adult.read_bytes()
 
 
-def test_a_heavier_body_keeps_its_skin(
-    models: Models, girdle_fine: Girdle, tmp_path: Path
-) -> None:
+def test_a_heavier_body_keeps_its_skin(models: Models, girdle_fine: Girdle, tmp_path: Path) -> None:
     """Bones and skin are lengths; of a body's mass nobody can tell where it is."""
     girdle_fine("generate", "--out", "model", *SKIN, "--body-mass", "90")
     adult = models("right", "tree", "plugin").parent / "shoulder_right.skn"
@@ -138,9 +132,7 @@ def test_a_heavier_body_keeps_its_skin(
 
 
 @pytest.mark.parametrize("word", ["explicit", "Implicit", "implicit "])
-def test_a_word_that_is_no_skin_is_refused_and_nothing_is_written(
-    refuses: Refuses, word: str
-) -> None:
+def test_a_word_that_is_no_skin_is_refused_and_nothing_is_written(refuses: Refuses, word: str) -> None:
     refuses("generate", "--out", "model", "--skin", word, because=("--skin", word, "implicit"))
 
 

@@ -50,9 +50,7 @@ def man(shared: SharedResults) -> Path:
 @pytest.mark.parametrize(
     "side", [*(pytest.param(side, marks=pytest.mark.numbers) for side in ("right", "left")), "both"]
 )
-def test_a_model_with_the_mans_skin_passes_with_its_own_bones(
-    girdle_fine: Girdle, side: str
-) -> None:
+def test_a_model_with_the_mans_skin_passes_with_its_own_bones(girdle_fine: Girdle, side: str) -> None:
     said = girdle_fine("generate", "--skin", BODY, "--side", side, "--out", "m").text
     suffix = "" if side == "right" else f"_{side}"
     bones = f"m/landmarks_{side}.csv"
@@ -108,9 +106,7 @@ def test_a_head_that_is_cut_off_leaves_a_lower_body(shared: SharedResults) -> No
 
 
 @pytest.mark.parametrize("file", [FILES[0], *(pytest.param(f, marks=pytest.mark.numbers) for f in FILES[1:])])
-def test_a_body_without_one_of_its_files_is_refused(
-    refuses: Refuses, tmp_path: Path, file: str
-) -> None:
+def test_a_body_without_one_of_its_files_is_refused(refuses: Refuses, tmp_path: Path, file: str) -> None:
     shutil.copytree(BODY, tmp_path / "body")
     (tmp_path / "body" / file).unlink()
     refuses(
@@ -121,9 +117,7 @@ def test_a_body_without_one_of_its_files_is_refused(
 
 @pytest.mark.parametrize("file", [FILES[0], *(pytest.param(f, marks=pytest.mark.numbers) for f in FILES[1:])])
 @pytest.mark.parametrize("flaw", ["a byte more", "another byte", "empty"])
-def test_a_body_of_another_version_is_refused(
-    refuses: Refuses, tmp_path: Path, file: str, flaw: str
-) -> None:
+def test_a_body_of_another_version_is_refused(refuses: Refuses, tmp_path: Path, file: str, flaw: str) -> None:
     shutil.copytree(BODY, tmp_path / "body")
     path = tmp_path / "body" / file
     right = path.read_bytes()
@@ -160,9 +154,7 @@ def test_a_file_of_a_body_that_has_no_end_is_refused(refuses: Refuses, tmp_path:
     ],
     ids=lambda options: options[0],
 )
-def test_bones_beside_a_body_that_has_them_are_refused(
-    refuses: Refuses, options: tuple[str, str]
-) -> None:
+def test_bones_beside_a_body_that_has_them_are_refused(refuses: Refuses, options: tuple[str, str]) -> None:
     refuses(
         *("generate", "--skin", BODY, "--out", "m", *options),
         because=("bones fitted to that body are its own", "--skin implicit"),
@@ -209,9 +201,7 @@ def read_skin(path: Path) -> Skin:
     at += 12 * vertex_count
     corners = struct.unpack_from(f"<{3 * face_count}i", numbers, at)
     at += 12 * face_count
-    skin = Skin(
-        list(zip(*[iter(flat)] * 3, strict=True)), list(zip(*[iter(corners)] * 3, strict=True))
-    )
+    skin = Skin(list(zip(*[iter(flat)] * 3, strict=True)), list(zip(*[iter(corners)] * 3, strict=True)))
     for _ in range(bone_count):
         name = numbers[at : at + 40].split(b"\0")[0].decode()
         frame = struct.unpack_from("<7f", numbers, at + 40)
@@ -263,9 +253,7 @@ def write_glb_in_millimeters(path: Path, skin: Skin) -> None:
     """Under a node that scales to meters, as some programs export."""
     vertices = b"".join(struct.pack("<3f", *(1000 * c for c in v)) for v in skin.vertices_m)
     indices = b"".join(struct.pack("<3I", *t) for t in skin.triangles)
-    extremes = [
-        [1000 * pick(v[i] for v in skin.vertices_m) for i in range(3)] for pick in (min, max)
-    ]
+    extremes = [[1000 * pick(v[i] for v in skin.vertices_m) for i in range(3)] for pick in (min, max)]
     scene = {
         "asset": {"version": "2.0"},
         "scene": 0,
@@ -368,14 +356,10 @@ def test_a_model_with_a_persons_mesh_passes_with_its_own_bones(
         assert re.search(r"\nPASS: \d+ residuals checked, all within their tolerances\n$", report)
 
 
-def test_transforms_of_a_glb_are_applied(
-    girdle_fine: Girdle, person: Person, tmp_path: Path
-) -> None:
+def test_transforms_of_a_glb_are_applied(girdle_fine: Girdle, person: Person, tmp_path: Path) -> None:
     write_glb_in_millimeters(tmp_path / "person.glb", person.skin)
     girdle_fine(*MESH)
-    girdle_fine(
-        *("generate", "--skin", "person.glb", "--skin-landmarks", "person.csv", "--out", "g")
-    )
+    girdle_fine(*("generate", "--skin", "person.glb", "--skin-landmarks", "person.csv", "--out", "g"))
     obj = read_skin(tmp_path / "m/shoulder_right.skn")
     glb = read_skin(tmp_path / "g/shoulder_right.skn")
     assert glb.triangles == obj.triangles
@@ -403,25 +387,19 @@ def test_a_face_without_area_is_refused(refuses: Refuses, person: Person, tmp_pa
     refuses(*MESH, because=("person.obj: face 100 at .* has no area",))
 
 
-def test_a_mesh_in_millimeters_is_refused(
-    refuses: Refuses, person: Person, tmp_path: Path
-) -> None:
+def test_a_mesh_in_millimeters_is_refused(refuses: Refuses, person: Person, tmp_path: Path) -> None:
     person.skin.vertices_m = [(1000 * x, 1000 * y, 1000 * z) for x, y, z in person.skin.vertices_m]
     person.write(tmp_path)
     refuses(*MESH, because=("person.obj: measures .* seems to be in millimeters",))
 
 
-def test_a_mesh_that_lies_elsewhere_is_refused(
-    refuses: Refuses, person: Person, tmp_path: Path
-) -> None:
+def test_a_mesh_that_lies_elsewhere_is_refused(refuses: Refuses, person: Person, tmp_path: Path) -> None:
     person.skin.vertices_m = [(x + 2, y, z) for x, y, z in person.skin.vertices_m]
     person.write(tmp_path)
     refuses(*MESH, because=("person.csv: all landmarks: .* person.obj. The mesh lies elsewhere",))
 
 
-def test_a_landmark_outside_the_skin_is_refused(
-    refuses: Refuses, person: Person, tmp_path: Path
-) -> None:
+def test_a_landmark_outside_the_skin_is_refused(refuses: Refuses, person: Person, tmp_path: Path) -> None:
     x, y, z = person.landmarks_m["PX"]
     person.landmarks_m["PX"] = (x, y + 0.05, z)  # forward
     person.write(tmp_path)
@@ -450,9 +428,7 @@ def test_a_left_person_is_told_to_mirror_mesh_and_landmarks_which_then_serves(
     girdle_fine(*MESH)
 
 
-def test_landmarks_without_a_posture_are_refused(
-    refuses: Refuses, person: Person, tmp_path: Path
-) -> None:
+def test_landmarks_without_a_posture_are_refused(refuses: Refuses, person: Person, tmp_path: Path) -> None:
     shutil.copy(SOURCE / "data/landmarks.csv", tmp_path / "person.csv")
     refuses(*MESH, because=(r"person.csv:\d+: landmarks .* do not say how the person stood", "lab"))
 
@@ -465,9 +441,7 @@ def test_a_file_that_is_not_there_is_refused(
     refuses(*MESH, because=(rf"{missing}: cannot be opened",))
 
 
-def test_a_file_that_is_no_mesh_is_refused(
-    refuses: Refuses, person: Person, tmp_path: Path
-) -> None:
+def test_a_file_that_is_no_mesh_is_refused(refuses: Refuses, person: Person, tmp_path: Path) -> None:
     shutil.copy(tmp_path / "person.csv", tmp_path / "person.glb")
     refuses(
         *("generate", "--skin", "person.glb", "--skin-landmarks", "person.csv", "--out", "m"),
@@ -475,9 +449,7 @@ def test_a_file_that_is_no_mesh_is_refused(
     )
 
 
-def test_a_mesh_without_triangles_is_refused(
-    refuses: Refuses, person: Person, tmp_path: Path
-) -> None:
+def test_a_mesh_without_triangles_is_refused(refuses: Refuses, person: Person, tmp_path: Path) -> None:
     (tmp_path / "person.obj").write_text("v 0 0 0\nv 1 0 0\nl 1 2\n")
     refuses(*MESH, because=("person.obj: has no triangles",))
 
@@ -497,9 +469,7 @@ def with_finer_faces(skin: Skin, most_vertices: int) -> Skin:
     return Skin(vertices, triangles)
 
 
-def test_a_mesh_of_too_many_vertices_is_refused(
-    refuses: Refuses, person: Person, tmp_path: Path
-) -> None:
+def test_a_mesh_of_too_many_vertices_is_refused(refuses: Refuses, person: Person, tmp_path: Path) -> None:
     finer = with_finer_faces(person.skin, 200_000)
     assert len(finer.vertices_m) == 200_001
     write_obj(tmp_path / "person.obj", finer)
@@ -573,9 +543,7 @@ def test_nodes_deep_below_each_other_are_refused(
     refuses(*GLB, because=("person.glb: .* node .* has more than 255 nodes above it",))
 
 
-def test_nodes_as_deep_as_rigs_are_followed(
-    refuses: Refuses, person: Person, tmp_path: Path
-) -> None:
+def test_nodes_as_deep_as_rigs_are_followed(refuses: Refuses, person: Person, tmp_path: Path) -> None:
     glb_of_a_tetrahedron(tmp_path / "person.glb", chain(256))
     refuses(*GLB, because=("person.csv: all landmarks: .* The mesh lies elsewhere",))
 
@@ -598,9 +566,7 @@ def test_nodes_that_are_no_tree_are_refused(
     refuses(*GLB, because=("person.glb: cannot be read as a mesh: " + because,))
 
 
-def test_json_that_is_nested_deeply_is_refused(
-    refuses: Refuses, person: Person, tmp_path: Path
-) -> None:
+def test_json_that_is_nested_deeply_is_refused(refuses: Refuses, person: Person, tmp_path: Path) -> None:
     extras: list[Any] = []
     for _ in range(200):
         extras = [extras]

@@ -88,9 +88,7 @@ def moves_deg(joint: str, plane: int) -> Array:
     return np.array([rotation_angle_deg(q, r) for q, r in zip(before, after, strict=True)])
 
 
-def largest(
-    quantity_of_plane: dict[int, Array], first_elevation_index: int
-) -> tuple[float, int, int]:
+def largest(quantity_of_plane: dict[int, Array], first_elevation_index: int) -> tuple[float, int, int]:
     """The largest value over the grid, its plane and its elevation."""
     return max(
         (float(value), plane, ELEVATIONS[i + first_elevation_index])
@@ -106,9 +104,7 @@ every_plane = pytest.mark.parametrize("plane", PLANES)
 # --- The committed table -------------------------------------------------------------------------
 
 
-def test_the_committed_table_is_regenerated_byte_for_byte(
-    girdle_fine: Girdle, tmp_path: Path
-) -> None:
+def test_the_committed_table_is_regenerated_byte_for_byte(girdle_fine: Girdle, tmp_path: Path) -> None:
     girdle_fine("smooth-table", "--in", DATABASE, "--out", "smooth.csv")
     assert (tmp_path / "smooth.csv").read_bytes() == SMOOTHED.read_bytes()
 
@@ -196,9 +192,7 @@ QUANTITIES = (
 @pytest.fixture
 def report(girdle_fine: Girdle) -> dict[tuple[str, str], tuple[float, float, float]]:
     """Value, plane and elevation by quantity and joint."""
-    printed = json.loads(
-        girdle_fine("smooth-table", "--in", DATABASE, "--out", "smooth.csv", "--json").text
-    )
+    printed = json.loads(girdle_fine("smooth-table", "--in", DATABASE, "--out", "smooth.csv", "--json").text)
     assert (printed["table"], printed["penalty"]) == ("smooth.csv", PENALTY)
     return {
         (line["quantity"], line["joint"].lower()): (

@@ -113,9 +113,7 @@ def test_no_plane_of_the_reference_jumps_by_more(
     assert found < 2 * expected + DIFFERENCE
 
 
-def test_unless_told_otherwise_the_measured_tables_jumps_are_shown(
-    girdle: Girdle, measure: Measure
-) -> None:
+def test_unless_told_otherwise_the_measured_tables_jumps_are_shown(girdle: Girdle, measure: Measure) -> None:
     """Of its checks one fails: how fast the bones turn where it is steep and the arm behind."""
     by_name, by_file = (
         girdle("smoothness", "--table", table, "--json").text for table in ("measured", DATABASE)
@@ -140,9 +138,7 @@ def test_every_interpolation_is_measured_on_the_same_skin(measure: Measure) -> N
     skin = measure(*SKIN)["skin"]
     interpolations = ["slerp", "squad", "smooth"]
     assert [(row["interpolation"], row["over"]) for row in skin["jumps"]] == [
-        (interpolation, over)
-        for interpolation in interpolations
-        for over in ("elevation", "plane")
+        (interpolation, over) for interpolation in interpolations for over in ("elevation", "plane")
     ]
     assert [row["interpolation"] for row in skin["steps"]] == interpolations
     for row in (*skin["jumps"], *skin["steps"]):
@@ -202,9 +198,9 @@ def test_the_skins_jump_is_that_of_a_model_that_moves_so(
 @pytest.mark.numbers
 def test_the_skin_moves_by_the_table_that_is_said(measure: Measure) -> None:
     other = skin_jumps(measure(*SKIN, "--table", "smoothed"), "ac_skin_mm_per_deg")
-    assert other["slerp", "elevation"] < skin_jumps(measure(*SKIN), "ac_skin_mm_per_deg")[
-        "slerp", "elevation"
-    ]
+    assert (
+        other["slerp", "elevation"] < skin_jumps(measure(*SKIN), "ac_skin_mm_per_deg")["slerp", "elevation"]
+    )
 
 
 def test_without_a_skin_nothing_is_said_of_one_and_all_else_is_the_same(measure: Measure) -> None:
@@ -255,9 +251,7 @@ RHYTHMS: dict[str, tuple[tuple[str, ...], str]] = {
 
 
 @pytest.mark.parametrize(("options", "rhythm"), RHYTHMS.values(), ids=RHYTHMS.keys())
-def test_the_checks_of_a_rhythm_pass(
-    measure: Measure, options: tuple[str, ...], rhythm: str
-) -> None:
+def test_the_checks_of_a_rhythm_pass(measure: Measure, options: tuple[str, ...], rhythm: str) -> None:
     answer = measure(*options)
     assert answer["rhythm"] == rhythm
     assert answer["passed"] is True

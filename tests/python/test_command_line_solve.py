@@ -71,9 +71,7 @@ def angles_deg(row: dict[str, str]) -> dict[str, float]:
 # --- One pose ------------------------------------------------------------------------------------
 
 
-def test_one_pose_as_json_agrees_with_the_reference(
-    girdle_fine: Girdle, reference: ReferenceRhythm
-) -> None:
+def test_one_pose_as_json_agrees_with_the_reference(girdle_fine: Girdle, reference: ReferenceRhythm) -> None:
     pose = ("solve", "--elevation", "71.5", "--plane", "12", *PUBLISHED)
     answer = json.loads(girdle_fine(*pose, "--json").text)
     expected_deg = reference.solve(71.5, 12.0).angles_deg
@@ -248,9 +246,7 @@ SAME_POSES = {
 
 
 @pytest.mark.parametrize("poses", SAME_POSES.values(), ids=SAME_POSES.keys())
-def test_what_editors_do_to_a_table_changes_nothing(
-    girdle_fine: Girdle, solved: bytes, poses: bytes
-) -> None:
+def test_what_editors_do_to_a_table_changes_nothing(girdle_fine: Girdle, solved: bytes, poses: bytes) -> None:
     assert girdle_fine("solve", "--in", "-", stdin=poses).output == solved
 
 
@@ -270,9 +266,8 @@ def test_an_output_link_stays_a_link(girdle_fine: Girdle, tmp_path: Path, solved
 
 # --- Numbers -------------------------------------------------------------------------------------
 
-@pytest.mark.parametrize(
-    "option", [("--elevation", "1e308"), ("--plane", "-1e308"), ("--axial", "1e300")]
-)
+
+@pytest.mark.parametrize("option", [("--elevation", "1e308"), ("--plane", "-1e308"), ("--axial", "1e300")])
 def test_no_finite_command_gives_an_angle_that_is_not_a_number(
     girdle: Girdle, option: tuple[str, str]
 ) -> None:
@@ -319,9 +314,7 @@ def test_a_changed_angle_of_a_table_comes_out_at_its_position(
     assert found_deg == pytest.approx(expected_deg, abs=ROUNDING_DEG)
 
 
-def test_the_measured_table_in_a_file_gives_the_same_bytes_as_the_built_in_one(
-    girdle_fine: Girdle
-) -> None:
+def test_the_measured_table_in_a_file_gives_the_same_bytes_as_the_built_in_one(girdle_fine: Girdle) -> None:
     by_name, by_file = (
         girdle_fine("solve", "--in", "-", "--table", table, stdin=POSES).output
         for table in ("measured", DATABASE)
@@ -372,9 +365,7 @@ def wait_until_read(pipe: IO[bytes]) -> None:
 def peak_memory_of_rows_kb(program: Path, rows: int) -> int:
     """After the last row was taken from the pipe and before the program may end."""
     random = np.random.default_rng(SEED)
-    poses = zip(
-        random.uniform(15.0, 120.0, BLOCK_ROWS), random.uniform(0.0, 90.0, BLOCK_ROWS), strict=True
-    )
+    poses = zip(random.uniform(15.0, 120.0, BLOCK_ROWS), random.uniform(0.0, 90.0, BLOCK_ROWS), strict=True)
     block = "".join(f"{elevation:.3f},{plane:.3f}\n" for elevation, plane in poses).encode()
     with subprocess.Popen(
         [str(program), "solve", "--in", "-"], stdin=subprocess.PIPE, stdout=subprocess.DEVNULL
@@ -559,9 +550,7 @@ def test_a_mistake_is_told_before_more_is_asked(program: Path, threads: str) -> 
     ["--elevation", *(pytest.param(o, marks=pytest.mark.numbers) for o in ("--plane", "--axial"))],
 )
 @pytest.mark.parametrize("word", ["4O", "nan", "inf", "-inf", "1e999", " ", "0x20", "1,5", "--"])
-def test_a_word_that_is_not_a_finite_number_is_refused(
-    refuses: Refuses, option: str, word: str
-) -> None:
+def test_a_word_that_is_not_a_finite_number_is_refused(refuses: Refuses, option: str, word: str) -> None:
     pose = {"--elevation": "60", "--plane": "50", "--axial": "0"} | {option: word}
     words = [f"{name}={value}" for name, value in pose.items()]
     refuses("solve", *words, because=(option, re.escape(f"'{word}'"), rf"such as {option} [\d.]+"))
@@ -614,9 +603,7 @@ def mistake(line: int, text: str, *patterns: str) -> WrongTable:
 
 WRONG_TABLES = {
     "missing column": mistake(1, "trial,elevation_deg,psi", "'plane_deg' is missing", "psi$"),
-    "nearly a column": mistake(
-        1, "trial,elevation_deg,plane", "'plane' is not known", "mean 'plane_deg'"
-    ),
+    "nearly a column": mistake(1, "trial,elevation_deg,plane", "'plane' is not known", "mean 'plane_deg'"),
     "duplicate column": mistake(
         1, "plane_deg,elevation_deg,plane_deg", "'plane_deg' stands twice", "Rename or remove"
     ),
@@ -660,9 +647,7 @@ def test_a_mistake_in_a_file_is_refused_with_file_and_line(
 
 
 @wrong_tables
-def test_a_mistake_on_standard_input_is_refused_with_its_line(
-    refuses: Refuses, wrong: WrongTable
-) -> None:
+def test_a_mistake_on_standard_input_is_refused_with_its_line(refuses: Refuses, wrong: WrongTable) -> None:
     place = f"standard input:{wrong.line}: "
     refuses("solve", "--in", "-", because=(place, *wrong.patterns), stdin=wrong.poses.encode())
 
@@ -687,9 +672,7 @@ def test_a_late_mistake_leaves_no_half_written_file(
     (tmp_path / "poses.csv").write_text(LONG + "60,5O\n")
     if before is not None:
         (tmp_path / "angles.csv").write_bytes(before)
-    refuses(
-        "solve", "--in", "poses.csv", "--out", "angles.csv", because=("poses.csv:20002: ", "'5O'")
-    )
+    refuses("solve", "--in", "poses.csv", "--out", "angles.csv", because=("poses.csv:20002: ", "'5O'"))
 
 
 def test_a_late_mistake_leaves_the_earlier_file(refuses: Refuses, tmp_path: Path) -> None:

@@ -59,9 +59,7 @@ def words(elevation: float, plane: float, **options: float | str) -> list[str]:
 
 
 def solve(girdle_fine: Girdle, elevation: float, plane: float, *options: str) -> Answer:
-    answer: Answer = json.loads(
-        girdle_fine("solve", *words(elevation, plane), *options, "--json").text
-    )
+    answer: Answer = json.loads(girdle_fine("solve", *words(elevation, plane), *options, "--json").text)
     return answer
 
 
@@ -219,18 +217,14 @@ def test_the_exact_closure_keeps_the_girdle_and_turns_the_arm_to_the_command(
     assert np.cos(turns[0] - turns[1]) == pytest.approx(1.0, abs=1e-12)
 
 
-def test_the_measured_table_may_be_named_with_smooth(
-    girdle_fine: Girdle, measured: SmoothRhythm
-) -> None:
+def test_the_measured_table_may_be_named_with_smooth(girdle_fine: Girdle, measured: SmoothRhythm) -> None:
     answer = solve(girdle_fine, 112, 33, "--table", "measured")
     expected_deg = reference_angles_deg(measured, 112, 33)
     assert joint_angles(answer) == pytest.approx(expected_deg, abs=AGREEMENT_DEG)
     assert solve(girdle_fine, 112, 33, "--table", str(DATABASE)) == answer
 
 
-def test_a_file_that_is_named_like_a_table_needs_a_path(
-    girdle_fine: Girdle, tmp_path: Path
-) -> None:
+def test_a_file_that_is_named_like_a_table_needs_a_path(girdle_fine: Girdle, tmp_path: Path) -> None:
     (tmp_path / "measured").write_bytes(SMOOTHED.read_bytes())
     named, in_file, shipped = (
         solve(girdle_fine, 112, 33, "--table", table)["angles_deg"]
@@ -435,9 +429,7 @@ def test_an_offset_that_no_clavicle_makes_is_refused_with_its_bounds(
 )
 def test_the_bounds_themselves_are_accepted(girdle_fine: Girdle, options: tuple[str, ...]) -> None:
     answer = solve(girdle_fine, 60, 30, *options)
-    assert [f"--shrug={answer['shrug_deg']:g}", f"--protraction={answer['protraction_deg']:g}"] == [
-        *options
-    ]
+    assert [f"--shrug={answer['shrug_deg']:g}", f"--protraction={answer['protraction_deg']:g}"] == [*options]
     shrug, protraction = (option.partition("=")[2] for option in options)
     poses = f"elevation_deg,plane_deg,shrug_deg,protraction_deg\n60,30,{shrug},{protraction}\n"
     girdle_fine("solve", "--in", "-", stdin=poses.encode())
@@ -470,9 +462,7 @@ def test_a_wrong_offset_in_a_file_is_refused_with_its_line(
 
 
 @pytest.mark.parametrize("name", ["axial", "shrug", "protraction"])
-def test_a_column_and_its_option_exclude_each_other(
-    refuses: Refuses, tmp_path: Path, name: str
-) -> None:
+def test_a_column_and_its_option_exclude_each_other(refuses: Refuses, tmp_path: Path, name: str) -> None:
     (tmp_path / "poses.csv").write_text(f"elevation_deg,plane_deg,{name}_deg\n60,30,0\n")
     because = ("poses.csv:1: ", f"{name}_deg", f"--{name}", "exclude", "Remove one")
     refuses("solve", "--in", "poses.csv", f"--{name}=0", because=because)
@@ -626,9 +616,7 @@ def test_the_text_has_a_table_of_derivatives(girdle_fine: Girdle) -> None:
     assert [name for name, _, _ in rows] == list(COORDINATES)
     for name, by_elevation, by_plane in rows:
         found = (float(by_elevation), float(by_plane))
-        assert found == pytest.approx(
-            (expected[name]["by_elevation"], expected[name]["by_plane"]), abs=TEXT
-        )
+        assert found == pytest.approx((expected[name]["by_elevation"], expected[name]["by_plane"]), abs=TEXT)
 
 
 def test_derivatives_are_there_only_if_they_are_asked_for(girdle_fine: Girdle) -> None:
@@ -672,9 +660,7 @@ def test_relaxed_is_the_measured_posture_with_the_arm_hanging(
 
 
 def test_a_posture_as_text_gives_every_angle_of_the_json(girdle_fine: Girdle) -> None:
-    found = re.findall(
-        r"^(\w+) +(\S+) deg$", girdle_fine("solve", "--posture", "relaxed").text, re.MULTILINE
-    )
+    found = re.findall(r"^(\w+) +(\S+) deg$", girdle_fine("solve", "--posture", "relaxed").text, re.MULTILINE)
     answer = json.loads(girdle_fine("solve", "--posture", "relaxed", "--json").text)
     expected_deg = answer["angles_deg"]
     assert [name for name, _ in found] == [*COORDINATES, *ST_COORDINATES]

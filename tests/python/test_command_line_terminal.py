@@ -116,8 +116,6 @@ def test_a_message_after_many_rows_begins_its_own_line(program: Path, tmp_path: 
 
 
 @pytest.mark.parametrize("options", [(), ("--json",)])
-def test_solving_one_pose_shows_no_progress(
-    program: Path, tmp_path: Path, options: tuple[str, ...]
-) -> None:
+def test_solving_one_pose_shows_no_progress(program: Path, tmp_path: Path, options: tuple[str, ...]) -> None:
     typed = [str(program), "solve", "--elevation", "23", "--plane", "50", *options]
     assert run_on_terminal(typed, tmp_path, output=tmp_path / "output").written == ""

@@ -161,9 +161,7 @@ def test_the_model_passes_without_its_scene(girdle: Girdle, generated: Path) -> 
 
 
 @pytest.mark.numbers
-def test_a_model_written_anew_by_another_program_passes(
-    girdle: Girdle, write_model: WriteModel
-) -> None:
+def test_a_model_written_anew_by_another_program_passes(girdle: Girdle, write_model: WriteModel) -> None:
     """The control of all that follows: the same way through the XML with no change at all."""
     code, report = verify(girdle, write_model())
     assert (code, report.failed) == (0, set())
@@ -449,9 +447,7 @@ def tamperings() -> dict[str, Tampering]:
             rows[f"{first} and {second} swapped"] = Tampering(edit, caught)
     for number, name in enumerate(KEYFRAME_NAMES):
         rows[f"keyframe {name}"] = Tampering(partial(shift_keyframe, name, number), {KEYFRAMES})
-    rows["last angle of a keyframe"] = Tampering(
-        partial(shift_keyframe, "flexion_90", 8), {KEYFRAMES}
-    )
+    rows["last angle of a keyframe"] = Tampering(partial(shift_keyframe, "flexion_90", 8), {KEYFRAMES})
     for command in ("elevation_r", "plane_r"):
         path = f"actuator/plugin[@name='{command}']"
         rows[f"{command} does not reach as far"] = Tampering(
@@ -540,9 +536,7 @@ OTHER_RHYTHMS = {
 
 
 @pytest.mark.numbers
-@pytest.mark.parametrize(
-    ("made", "written", "held"), OTHER_RHYTHMS.values(), ids=OTHER_RHYTHMS.keys()
-)
+@pytest.mark.parametrize(("made", "written", "held"), OTHER_RHYTHMS.values(), ids=OTHER_RHYTHMS.keys())
 def test_a_model_is_caught_that_does_not_move_by_the_rhythm_named(
     girdle: Girdle,
     models: Callable[..., Path],

@@ -112,9 +112,7 @@ def test_a_left_shoulder_has_the_lines_of_the_right_one(
 
 
 @pytest.mark.parametrize("assembly", ASSEMBLIES)
-def test_both_have_the_lines_of_each(
-    girdle: Girdle, models: Callable[..., Path], assembly: str
-) -> None:
+def test_both_have_the_lines_of_each(girdle: Girdle, models: Callable[..., Path], assembly: str) -> None:
     _, right = verify(girdle, models(*ASSEMBLIES[assembly]))
     _, both = verify(girdle, models("--side", "both", *ASSEMBLIES[assembly]))
     lines = lines_of(right)
@@ -128,9 +126,7 @@ def test_both_have_the_lines_of_each(
     assert lines_of(both) == pytest.approx(expected, abs=SAME)
 
 
-def test_servos_are_held_against_the_rhythm_that_is_said(
-    girdle: Girdle, models: Callable[..., Path]
-) -> None:
+def test_servos_are_held_against_the_rhythm_that_is_said(girdle: Girdle, models: Callable[..., Path]) -> None:
     published = ("--interpolation", "squad", "--closure", "table")
     code, report = verify(girdle, models(*POSITION, *published), *published)
     assert (code, report.failed) == (0, set())
@@ -205,9 +201,7 @@ class Flaw:
 
 
 IN_ANY_LOOP: dict[str, Flaw] = {
-    "soft connect": Flaw(
-        partial(set_attribute, "equality/connect", "solref", "0.05 1"), AC_MOVING
-    ),
+    "soft connect": Flaw(partial(set_attribute, "equality/connect", "solref", "0.05 1"), AC_MOVING),
     "PAC_r moved": Flaw(partial(move, "site", "PAC_r"), {LANDMARKS, CLAVICLE_SITES, PLACE}),
     "TS_r moved": Flaw(partial(move, "site", "TS_r"), {LANDMARKS, SCAPULA_SITES}),
     "clavicle turned": Flaw(
@@ -318,9 +312,7 @@ OTHER_FLAWS: Mapping[str, tuple[tuple[str, ...], Edit, set[Caught]]] = {
 }
 
 
-@pytest.mark.parametrize(
-    ("options", "edit", "caught"), OTHER_FLAWS.values(), ids=OTHER_FLAWS.keys()
-)
+@pytest.mark.parametrize(("options", "edit", "caught"), OTHER_FLAWS.values(), ids=OTHER_FLAWS.keys())
 def test_a_loop_that_does_not_do_what_it_is_told_is_caught(
     girdle: Girdle,
     edited: Callable[..., Path],
@@ -376,9 +368,7 @@ LEFT_FLAWS: dict[str, Flaw] = {
         in_joints("kinematic consistency", ["GH"]),
     ),
     "a place not mirrored": Flaw(turn_mesh_free, in_joints("joint constraint", ["GH"])),
-    "scapula_l turned": Flaw(
-        partial(turn_body, "scapula_l"), in_joints("kinematic consistency", ["AC"])
-    ),
+    "scapula_l turned": Flaw(partial(turn_body, "scapula_l"), in_joints("kinematic consistency", ["AC"])),
     "a keyframe": Flaw(partial(shift_keyframe, "abduction_60", 4), {KEYFRAMES}),
     "a centre of mass not mirrored": Flaw(
         lambda root: find_element(root, ".//body[@name='scapula_l']/inertial").set(
@@ -410,9 +400,7 @@ def test_a_change_to_one_of_both_is_caught_on_its_side(
     assert report.failed == {("joint constraint", f"GH, {side}")}
 
 
-def test_the_left_of_both_may_not_use_another_rhythm(
-    girdle: Girdle, edited: Callable[..., Path]
-) -> None:
+def test_the_left_of_both_may_not_use_another_rhythm(girdle: Girdle, edited: Callable[..., Path]) -> None:
     def closure_table(root: ElementTree.Element) -> None:
         for key, value in (("closure", "table"), ("range", "clamp")):
             path = f".//instance[@name='rhythm_l']/config[@key='{key}']"
@@ -481,9 +469,7 @@ NO_MODELS: dict[str, tuple[tuple[str, ...], Edit, tuple[str, ...]]] = {
 }
 
 
-@pytest.mark.parametrize(
-    ("options", "edit", "because"), NO_MODELS.values(), ids=NO_MODELS.keys()
-)
+@pytest.mark.parametrize(("options", "edit", "because"), NO_MODELS.values(), ids=NO_MODELS.keys())
 @pytest.mark.parametrize("verb", ["verify", "simulate"])
 def test_a_model_that_lacks_something_is_refused_with_its_name(
     refuses: Refuses,

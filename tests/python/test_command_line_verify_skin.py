@@ -109,9 +109,7 @@ def test_a_measured_girdle_passes_all_that_can_fail(measured: Report) -> None:
 
 def test_the_blend_is_compared_at_rest_and_while_the_model_moves(measured: Report) -> None:
     """Without a comparison a line is no number and fails; with the other's it tells nothing."""
-    at_rest, moving = (
-        measured.skin[f"MuJoCo - linear blend, {state}"] for state in ("at rest", "moving")
-    )
+    at_rest, moving = (measured.skin[f"MuJoCo - linear blend, {state}"] for state in ("at rest", "moving"))
     assert at_rest["where"].startswith("pose, ")
     assert moving["where"].split(",")[0] in MOTIONS
     for line in (at_rest, moving):
@@ -120,9 +118,7 @@ def test_the_blend_is_compared_at_rest_and_while_the_model_moves(measured: Repor
 
 
 @pytest.mark.numbers
-def test_a_girdle_is_measured_unless_told_otherwise(
-    girdle: Girdle, skinned: Path, measured: Report
-) -> None:
+def test_a_girdle_is_measured_unless_told_otherwise(girdle: Girdle, skinned: Path, measured: Report) -> None:
     assert verify(girdle, skinned / SCENE_FILE, "--girdle", "measured") == measured
 
 
@@ -334,8 +330,7 @@ def test_the_skin_rises_as_mujoco_draws_it(raised: mujoco.MjModel, measured: Rep
     acromion = raised.numeric("skin_acromion_r").data.astype(int)
     assert len(acromion) == 3
     low, high = (
-        drawn_vertices(raised, f"abduction_{elevation}")[acromion, 2].mean()
-        for elevation in (30, 120)
+        drawn_vertices(raised, f"abduction_{elevation}")[acromion, 2].mean() for elevation in (30, 120)
     )
     line = measured.skin["acromion's skin rises, plane 0"]
     assert line["value"] == pytest.approx(1000 * (high - low), abs=2 * SINGLE_PRECISION_MM)
@@ -352,9 +347,7 @@ def test_the_ac_joint_rises_as_mujoco_has_it(raised: mujoco.MjModel, measured: R
     assert line["value"] == pytest.approx(1000 * (heights[1] - heights[0]), abs=1e-6)
 
 
-def test_skin_is_squeezed_as_mujoco_draws_it(
-    raised: mujoco.MjModel, skinned: Path, measured: Report
-) -> None:
+def test_skin_is_squeezed_as_mujoco_draws_it(raised: mujoco.MjModel, skinned: Path, measured: Report) -> None:
     skin = read_skin(skinned / SKIN_FILE)
     corners = skin.vertices[skin.triangles]
     near = np.linalg.norm(corners.mean(axis=1) - ac_joint(skin), axis=1) <= 0.06
@@ -370,9 +363,7 @@ def test_skin_is_squeezed_as_mujoco_draws_it(
     assert lines[SQUEEZED]["value"] == pytest.approx(
         100 * first[now < first / 2].sum() / first.sum(), abs=0.5
     )
-    assert lines["area kept, plane 0"]["value"] == pytest.approx(
-        100 * now.sum() / first.sum(), abs=0.01
-    )
+    assert lines["area kept, plane 0"]["value"] == pytest.approx(100 * now.sum() / first.sum(), abs=0.01)
 
 
 # --- Skins with a change -------------------------------------------------------------------------
@@ -421,9 +412,7 @@ def read_skin(path: Path) -> Skin:
         name = take("S40", 1).tobytes()
         place, turn = take("<f4", 3).astype(float), take("<f4", 4).astype(float)
         (count,) = take("<i4", 1)
-        skin.bones.append(
-            SkinBone(name, place, turn, take("<i4", count), take("<f4", count).astype(float))
-        )
+        skin.bones.append(SkinBone(name, place, turn, take("<i4", count), take("<f4", count).astype(float)))
     assert at == len(content)
     return skin
 
@@ -489,9 +478,7 @@ def write_skinned(skinned: Path, tmp_path: Path) -> WriteSkinned:
 
 
 @pytest.mark.numbers
-def test_a_skin_written_anew_is_the_same(
-    girdle: Girdle, skinned: Path, write_skinned: WriteSkinned
-) -> None:
+def test_a_skin_written_anew_is_the_same(girdle: Girdle, skinned: Path, write_skinned: WriteSkinned) -> None:
     """The control of all that follows."""
     assert skin_bytes(read_skin(skinned / SKIN_FILE)) == (skinned / SKIN_FILE).read_bytes()
     assert verify(girdle, write_skinned()).failed == set()
@@ -515,9 +502,7 @@ def test_skin_of_the_scapula_that_is_given_to_the_thorax_is_found(
 
 
 @pytest.mark.numbers
-def test_a_vertex_that_is_in_the_joint_is_found(
-    girdle: Girdle, write_skinned: WriteSkinned
-) -> None:
+def test_a_vertex_that_is_in_the_joint_is_found(girdle: Girdle, write_skinned: WriteSkinned) -> None:
     def push_in(skin: Skin) -> None:
         joint = ac_joint(skin)
         nearest = np.argmin(np.linalg.norm(skin.vertices - joint, axis=1))
@@ -541,9 +526,7 @@ def test_a_bone_that_was_elsewhere_when_the_skin_was_bound_is_found(
 
 
 @pytest.mark.numbers
-def test_a_skin_that_is_no_linear_blend_is_found(
-    girdle: Girdle, write_skinned: WriteSkinned
-) -> None:
+def test_a_skin_that_is_no_linear_blend_is_found(girdle: Girdle, write_skinned: WriteSkinned) -> None:
     def inflate(root: ElementTree.Element) -> None:
         (skin,) = root.findall(".//skin")
         skin.set("inflate", "1e-4")
@@ -584,9 +567,7 @@ def test_skin_without_a_share_of_the_humerus_stands_still_on_a_frozen_girdle(
             bone.weights = of_bone[bone.vertices]
 
     scene = write_skinned(give_away)
-    measured, frozen = (
-        verify(girdle, scene, "--girdle", motion).skin for motion in ("measured", "frozen")
-    )
+    measured, frozen = (verify(girdle, scene, "--girdle", motion).skin for motion in ("measured", "frozen"))
     standing = {f"step of {name}" for name in still} | JUMPS
     for line in standing:
         # The same sum of the same bones' places, to the last bit.

@@ -19,9 +19,7 @@ SCENES = sorted(MODELS.glob("*/scene*.xml"))
 
 
 @pytest.fixture(scope="module", params=FAMILIES)
-def emitted(
-    request: pytest.FixtureRequest, shared: SharedResults
-) -> tuple[Path, dict[str, Path]]:
+def emitted(request: pytest.FixtureRequest, shared: SharedResults) -> tuple[Path, dict[str, Path]]:
     """A family's committed folder, and the files that the program emits for it today."""
     files: dict[str, Path] = {}
     for side in ("right", "left", "both"):
@@ -48,9 +46,7 @@ def test_committed_models_are_regenerated_byte_for_byte(
 
 
 @pytest.mark.parametrize("scene", SCENES, ids=lambda path: f"{path.parent.name}/{path.name}")
-def test_a_committed_model_passes_every_line_of_the_report(
-    scene: Path, shared: SharedResults
-) -> None:
+def test_a_committed_model_passes_every_line_of_the_report(scene: Path, shared: SharedResults) -> None:
     """With the MuJoCo of this build; the tests run with each that is supported."""
     verified = shared.verify(scene)
     assert (verified.code, verified.message) == (0, ""), verified.text

@@ -122,9 +122,7 @@ def simulated(program: Path, scene: Path, motion: Path, folder: Path) -> tuple[l
     return rows, np.loadtxt(controls, delimiter=",", skiprows=1)[:, 1:]
 
 
-def joints_apart_rad(
-    model: mujoco.MjModel, data: mujoco.MjData, side: str, row: dict[str, str]
-) -> float:
+def joints_apart_rad(model: mujoco.MjModel, data: mujoco.MjData, side: str, row: dict[str, str]) -> float:
     names = [name[len("target_") : -len("_deg")] for name in row if name.startswith("target_")]
     assert len(names) == 9
     there = np.radians([float(row[name + "_deg"]) for name in names])

@@ -26,9 +26,7 @@ def test_help_says_what_each_exit_status_means(program: Path) -> None:
 
 
 @pytest.mark.parametrize("option", ["--in", "--table"])
-def test_memory_that_is_used_up_is_not_called_bad_input(
-    program: Path, tmp_path: Path, option: str
-) -> None:
+def test_memory_that_is_used_up_is_not_called_bad_input(program: Path, tmp_path: Path, option: str) -> None:
     endless_line = tmp_path / "line.csv"
     with endless_line.open("wb") as file:
         file.truncate(1024 * MEBIBYTE)  # takes no room on the disk

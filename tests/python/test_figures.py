@@ -558,9 +558,7 @@ def test_a_remark_stands_on_the_page(figures_without_gl: Path) -> None:
 
 
 @pytest.mark.parametrize("verb", ["generate", "solve", "smoothness"])
-def test_a_failing_program_is_reported_and_leaves_nothing(
-    program: Path, tmp_path: Path, verb: str
-) -> None:
+def test_a_failing_program_is_reported_and_leaves_nothing(program: Path, tmp_path: Path, verb: str) -> None:
     script = failing_program(program, tmp_path, verb)
     before = contents(tmp_path)
     # Without OpenGL, since the pictures are none of this.

@@ -45,9 +45,7 @@ def name_of(path: Path) -> str:
 
 
 @pytest.fixture(autouse=True)
-def messages(
-    engine_with_plugin: None, capfd: pytest.CaptureFixture[str]
-) -> Iterator[list[str]]:
+def messages(engine_with_plugin: None, capfd: pytest.CaptureFixture[str]) -> Iterator[list[str]]:
     """Whatever the engine says fails the test that it was said in."""
     said: list[str] = []
     before = mujoco.get_mju_user_warning()

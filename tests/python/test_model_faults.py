@@ -109,9 +109,8 @@ def test_euler_that_takes_the_damping_explicitly(kind: str, path: Path, warnings
     assert said_of(model, warnings) == ""  # it is Euler's flag alone
     model.opt.integrator = mujoco.mjtIntegrator.mjINT_EULER
     option = OPTION.format(step_s=0.002)
-    assert (
-        f"the longest for a {kind} with Euler without eulerdamp is 0.001 s: write {option}"
-        in said_of(model, warnings)
+    assert f"the longest for a {kind} with Euler without eulerdamp is 0.001 s: write {option}" in said_of(
+        model, warnings
     )
     model.opt.timestep = 0.001
     assert said_of(model, warnings) == ""

@@ -112,10 +112,7 @@ FAMILIES = {
     "shoulder_loop": ("loop",),
     "shoulder_skin": ("tree", "--skin"),
 }
-COMMITTED = [
-    variant_of(path, *FAMILIES[path.parent.name])
-    for path in sorted(MODELS.glob("*/*.xml"))
-]
+COMMITTED = [variant_of(path, *FAMILIES[path.parent.name]) for path in sorted(MODELS.glob("*/*.xml"))]
 
 # Models that are not committed and have names of their own.
 FURTHER = {
@@ -134,9 +131,7 @@ def variant(request: pytest.FixtureRequest, shared: SharedResults) -> Variant:
         return request.param
     assembly, actuation, *options = FURTHER[request.param]
     words = [word for option in options for word in option.split()]
-    made = shared.generate(
-        "--side", "both", "--assembly", assembly, "--actuation", actuation, *words
-    )
+    made = shared.generate("--side", "both", "--assembly", assembly, "--actuation", actuation, *words)
     return variant_of(made.model, assembly, *options)
 
 

@@ -199,12 +199,8 @@ def test_its_scapula_is_where_its_joints_turned_by_hand_have_it(verify: Any, arm
         mujoco.mj_resetData(model, data)
         data.joint("shoulder_elv_r").qpos[0] = math.radians(position["elevation_deg"])
         data.joint("elv_angle_r").qpos[0] = math.radians(position["plane_deg"])
-        for follower, leader, factors in zip(
-            model.eq_obj1id, model.eq_obj2id, model.eq_data, strict=True
-        ):
-            data.joint(follower).qpos[0] = np.polyval(
-                factors[4::-1], data.joint(leader).qpos[0]
-            )
+        for follower, leader, factors in zip(model.eq_obj1id, model.eq_obj2id, model.eq_data, strict=True):
+            data.joint(follower).qpos[0] = np.polyval(factors[4::-1], data.joint(leader).qpos[0])
         mujoco.mj_kinematics(model, data)
 
         def world(landmark: str) -> Any:
@@ -247,9 +243,7 @@ def test_myo_sim_is_as_far_from_the_measured_rhythm_as_the_formula_of_its_girdle
     grid = ("--elevation", "15:120:5", "--plane", "0:90:10")
     result = verify(*grid, mapping=write_mapping(tmp_path / "m.csv", rows))
     lines = {
-        line["item"]: line["value"]
-        for line in result["residuals"]
-        if line["group"] == "scapulothoracic"
+        line["item"]: line["value"] for line in result["residuals"] if line["group"] == "scapulothoracic"
     }
     compared = json.loads(girdle_fine("compare", *grid, "--json").text)
     (formula,) = (rhythm for rhythm in compared["rhythms"] if rhythm["name"] == "MoBL-ARMS")
@@ -292,9 +286,7 @@ def test_a_misspelt_joint_of_myo_sim_is_named_with_those_that_are_near(
     )
 
 
-def test_a_follower_of_myo_sim_does_not_set_its_arm(
-    refuses: Refuses, arm: Arm, tmp_path: Path
-) -> None:
+def test_a_follower_of_myo_sim_does_not_set_its_arm(refuses: Refuses, arm: Arm, tmp_path: Path) -> None:
     mapping = write_mapping(tmp_path / "m.csv", renamed("elv_angle_r", "shoulder1_r2_r"))
     refuses(
         "verify",

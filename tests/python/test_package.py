@@ -95,9 +95,7 @@ def test_a_switch_of_glm_that_girdle_cannot_take_is_refused(project: Path, switc
     assert REFUSED_SWITCHES[switch] in refused.stdout + refused.stderr
 
 
-def test_the_installed_program_finds_its_plugin_and_its_simulation(
-    prefix: Path, tmp_path: Path
-) -> None:
+def test_the_installed_program_finds_its_plugin_and_its_simulation(prefix: Path, tmp_path: Path) -> None:
     program = prefix / "bin" / "girdle"
     run(program, "generate", "--out", tmp_path)
     report = run(program, "verify", tmp_path / "scene.xml")

@@ -115,9 +115,7 @@ def test_the_sensor_says_the_turn_from_the_rhythm_and_isbs(
     elevation_deg, plane_deg, axial_deg = read_deg(commands_deg)
     turn_deg = smooth.axial_on_rhythm_deg(elevation_deg, plane_deg, axial_deg, zero)
     expected = smooth.solve(elevation_deg, plane_deg, turn_deg)
-    q_TH = multiply(
-        multiply(expected.rotations["sc"], expected.rotations["ac"]), expected.rotations["gh"]
-    )
+    q_TH = multiply(multiply(expected.rotations["sc"], expected.rotations["ac"]), expected.rotations["gh"])
     data = mujoco.MjData(model)
     for n, command_deg in enumerate(commands_deg.T):
         values = forward(model, data, np.radians(command_deg))
@@ -243,9 +241,7 @@ def test_the_model_says_what_it_counts_from(made: Made, zero: AxialFrom) -> None
     assert {c.get("key"): c.get("value") for c in configs}["axial_from"] == zero
 
 
-def test_an_unknown_zero_is_refused_when_the_model_starts(
-    made: Made, tmp_path: Path
-) -> None:
+def test_an_unknown_zero_is_refused_when_the_model_starts(made: Made, tmp_path: Path) -> None:
     text = made.model.read_text()
     for word in ("isb", "swing"):
         text = text.replace(f'key="axial_from" value="{word}"', 'key="axial_from" value="ulna"')
@@ -253,7 +249,6 @@ def test_an_unknown_zero_is_refused_when_the_model_starts(
     message = 'axial_from is "ulna", expected "rhythm" or "isb" or "swing"'
     with pytest.raises(ValueError, match=message):
         mujoco.MjModel.from_xml_path(str(tmp_path / "model.xml"))
-
 
 
 def trace(run_program: RunProgram, scene: Path, folder: Path, *words: str) -> dict[str, Array]:
@@ -295,9 +290,7 @@ def test_the_trace_of_position_servos_counts_as_a_motion_does(
         "time_s,elevation_deg,plane_deg,axial_deg\n0,30,20,-40\n0.2,60,50,-70\n"
     )
     scene = shared.generate("--actuation", "position").scene
-    first = trace(
-        run_program, scene, tmp_path, "--in", str(tmp_path / "motion.csv"), "--axial-from", "isb"
-    )
+    first = trace(run_program, scene, tmp_path, "--in", str(tmp_path / "motion.csv"), "--axial-from", "isb")
     assert first["used_axial_isb_deg"][[0, -1]] == pytest.approx([-40.0, -70.0], abs=1e-9)
     again = tmp_path / "again"
     again.mkdir()
@@ -323,6 +316,12 @@ def test_such_a_model_passes_its_verification(shared: SharedResults, made: Made,
 
 def test_zeros_and_position_servos_exclude_each_other(refuses: Refuses) -> None:
     refuses(
-        "generate", "--out", "model", "--axial-from", "isb", "--actuation", "position",
+        "generate",
+        "--out",
+        "model",
+        "--axial-from",
+        "isb",
+        "--actuation",
+        "position",
         because=("--axial-from: position servos", "Leave it away"),
     )

@@ -264,9 +264,7 @@ class Trace:
 
 
 @pytest.fixture(scope="module")
-def trace(
-    run_program: RunProgram, model_path: Path, tmp_path_factory: pytest.TempPathFactory
-) -> Trace:
+def trace(run_program: RunProgram, model_path: Path, tmp_path_factory: pytest.TempPathFactory) -> Trace:
     directory = tmp_path_factory.mktemp("trace")
     motion_path, trace_path = directory / "motion.csv", directory / "trace.csv"
     lines = ["time_s,elevation_deg,plane_deg", *(",".join(map(repr, row)) for row in MOTION)]
@@ -336,9 +334,7 @@ def test_the_trace_has_its_columns_in_order(trace: Trace) -> None:
     assert trace.header[: len(expected)] == expected
 
 
-def test_the_trace_has_a_row_for_every_step_and_one_for_the_end(
-    model: mujoco.MjModel, trace: Trace
-) -> None:
+def test_the_trace_has_a_row_for_every_step_and_one_for_the_end(model: mujoco.MjModel, trace: Trace) -> None:
     steps = round(MOTION[-1][0] / model.opt.timestep)
     assert len(trace.rows) == steps + 1
     assert trace.rows[0]["time_s"] == 0.0
@@ -353,9 +349,9 @@ def test_the_commands_in_the_trace_follow_the_motion_file(trace: Trace) -> None:
         i = min(int(np.searchsorted(time_s, row["time_s"], "right")) - 1, len(MOTION) - 2)
         share = (row["time_s"] - time_s[i]) / (time_s[i + 1] - time_s[i])
         whole = np.arccos(rows[i] @ rows[i + 1])
-        x, y, z = (
-            np.sin((1 - share) * whole) * rows[i] + np.sin(share * whole) * rows[i + 1]
-        ) / np.sin(whole)
+        x, y, z = (np.sin((1 - share) * whole) * rows[i] + np.sin(share * whole) * rows[i + 1]) / np.sin(
+            whole
+        )
         expected_deg = (np.degrees(np.arccos(-y)), np.degrees(np.arctan2(x, z)), 0.0)
         commands_deg = tuple(row[f"{command}_deg"] for command in COMMANDS)
         assert commands_deg == pytest.approx(expected_deg, abs=MOTION_DEG), row["time_s"]
@@ -367,9 +363,7 @@ def test_python_steps_at_the_same_times(replay: list[Moment], trace: Trace) -> N
 
 
 @pytest.mark.parametrize("body", MOVING_BODIES)
-def test_python_turns_the_bodies_to_the_same_bits(
-    replay: list[Moment], trace: Trace, body: str
-) -> None:
+def test_python_turns_the_bodies_to_the_same_bits(replay: list[Moment], trace: Trace, body: str) -> None:
     for row, moment in zip(trace.rows, replay, strict=True):
         traced = [row[f"{body}_q{axis}"] for axis in "wxyz"]
         assert traced == same(list(moment.quaternions[body])), f"at {moment.time!r} s"
@@ -473,9 +467,7 @@ def test_the_sensor_repeats_a_measured_command(data: mujoco.MjData, shoulder: Sh
         assert commanded_rad == pytest.approx(command_rad, abs=ROUNDING_RAD), command_deg
 
 
-def test_the_tracking_error_is_target_minus_position(
-    data: mujoco.MjData, shoulder: Shoulder
-) -> None:
+def test_the_tracking_error_is_target_minus_position(data: mujoco.MjData, shoulder: Shoulder) -> None:
     random = np.random.default_rng(SEED)
     for command_deg in MEASURED_COMMANDS_DEG:
         joints_rad = random.uniform(-0.5, 0.5, size=len(COORDINATES))
@@ -504,9 +496,7 @@ def test_the_bodies_turn_as_the_joints_say_in_euler_angles(
         data, rhythm = data_at_targets(np.radians(command_deg))
         angles_deg = np.degrees(rhythm.targets).reshape(3, 3)
         expected = np.array([1.0, 0.0, 0.0, 0.0])
-        for joint, body, joint_deg in zip(
-            JOINT_COORDINATES, MOVING_BODIES, angles_deg, strict=True
-        ):
+        for joint, body, joint_deg in zip(JOINT_COORDINATES, MOVING_BODIES, angles_deg, strict=True):
             expected = multiply(expected, quaternion_from_euler(JOINT_SEQUENCES[joint], joint_deg))
             found = shoulder.rotation_in_thorax(data, body)
             assert rotation_angle_deg(found, expected) < ROTATION_DEG, (body, command_deg)
@@ -579,9 +569,7 @@ def test_a_copy_steps_like_its_original(
     assert_same_to_the_last_bit(of_copy, of_original)
 
 
-def test_reset_data_step_like_new_data(
-    watch: Watch, data: mujoco.MjData, shoulder: Shoulder
-) -> None:
+def test_reset_data_step_like_new_data(watch: Watch, data: mujoco.MjData, shoulder: Shoulder) -> None:
     expected = step_along(watch(mujoco.MjData(shoulder.model)), shoulder, 0, STEPS)
     step_along(data, shoulder, 0, STEPS, phase=1.0)
     mujoco.mj_resetData(shoulder.model, data)
@@ -712,9 +700,7 @@ def further(watch: Watch, further_path: Path) -> Shoulder:
     return Shoulder(mujoco.MjModel.from_xml_path(str(further_path)))
 
 
-def test_offsets_lead_where_the_reference_says(
-    watch: Watch, further: Shoulder, smooth: SmoothRhythm
-) -> None:
+def test_offsets_lead_where_the_reference_says(watch: Watch, further: Shoulder, smooth: SmoothRhythm) -> None:
     random = np.random.default_rng(SEED)
     low_deg, high_deg = (0.0, -95.0, -60.0, -15.0, -25.0), (180.0, 135.0, 60.0, 35.0, 30.0)
     commands_rad = [np.radians(random.uniform(low_deg, high_deg)) for _ in range(RANDOM_COMMANDS)]
@@ -800,9 +786,7 @@ def test_a_control_that_is_no_angle_makes_no_force_that_is_no_number(
         watch.messages.clear()
 
 
-def test_without_mujocos_own_check_no_force_is_not_a_number_either(
-    watch: Watch, further: Shoulder
-) -> None:
+def test_without_mujocos_own_check_no_force_is_not_a_number_either(watch: Watch, further: Shoulder) -> None:
     """With clamping off a control goes to the plugin as it is."""
     model = further.model
     model.opt.disableflags |= mujoco.mjtDisableBit.mjDSBL_CLAMPCTRL

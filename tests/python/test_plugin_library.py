@@ -36,9 +36,7 @@ def test_the_plugin_exports_its_version_and_nothing_else(
 
 
 @pytest.mark.without_engine
-def test_the_plugin_says_its_version_in_a_process_without_mujoco(
-    plugin_library: Path, program: Path
-) -> None:
+def test_the_plugin_says_its_version_in_a_process_without_mujoco(plugin_library: Path, program: Path) -> None:
     script = (
         "import ctypes, sys\n"
         "version = ctypes.CDLL(sys.argv[1]).girdle_rhythm_version\n"

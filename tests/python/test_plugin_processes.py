@@ -239,9 +239,7 @@ def said_in_a_strange_engine(version: int, plugin: Path, folder: Path) -> str:
     """What is printed where the plugin meets an engine that says this version."""
     source, library = folder / "engine.cc", folder / "libmujoco.so.9.9.9"
     source.write_text(STRANGE_ENGINE)
-    subprocess.run(
-        ["g++", "-shared", "-fPIC", f"-DVERSION={version}", source, "-o", library], check=True
-    )
+    subprocess.run(["g++", "-shared", "-fPIC", f"-DVERSION={version}", source, "-o", library], check=True)
     load = "import ctypes, sys\nctypes.CDLL(sys.argv[1])\nctypes.CDLL(sys.argv[2])"
     command: list[str | Path] = [sys.executable, "-c", load, library, plugin]
     return subprocess.run(command, capture_output=True, text=True, check=True).stdout

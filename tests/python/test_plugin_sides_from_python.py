@@ -75,8 +75,7 @@ def motion(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def joints_in_trace(header: list[str], table: Array, assembly: str) -> Array:
     """The nine driven angles of a trace, row by row [rad]."""
     names = [
-        name if assembly == "tree" or not name.startswith("ac_") else "st_" + name[3:]
-        for name in COORDINATES
+        name if assembly == "tree" or not name.startswith("ac_") else "st_" + name[3:] for name in COORDINATES
     ]
     columns = [header.index(name + "_deg") for name in names]
     return np.radians(table[:, columns])
@@ -84,9 +83,7 @@ def joints_in_trace(header: list[str], table: Array, assembly: str) -> Array:
 
 def joints_of(model: mujoco.MjModel, data: mujoco.MjData, suffix: str) -> Array:
     """The nine driven angles of a shoulder [rad]."""
-    stems = [
-        name if data_has(model, name + suffix) else "st_" + name[3:] for name in COORDINATES
-    ]
+    stems = [name if data_has(model, name + suffix) else "st_" + name[3:] for name in COORDINATES]
     return np.array([data.joint(stem + suffix).qpos[0] for stem in stems])
 
 
@@ -222,9 +219,7 @@ def attached(*shoulders: tuple[str, Path]) -> mujoco.MjModel:
     return parent.compile()
 
 
-def put_command(
-    data: mujoco.MjData, step: int, suffix: str, prefix: str = "", later: float = 0.0
-) -> None:
+def put_command(data: mujoco.MjData, step: int, suffix: str, prefix: str = "", later: float = 0.0) -> None:
     data.actuator(f"{prefix}elevation{suffix}").ctrl[0] = 1.2 - math.cos(0.02 * step + later)
     data.actuator(f"{prefix}plane{suffix}").ctrl[0] = 0.5 + math.sin(0.03 * step + later)
 
@@ -278,14 +273,13 @@ def test_attached_shoulders_keep_connects_and_keyframes(made: Callable[..., Path
             mujoco.mj_step(torso, data)
         for i in range(model.njnt):
             joint = model.joint(i).name
-            assert data.joint("hers_" + joint).qpos[0] == pytest.approx(
-                own.joint(joint).qpos[0], abs=1e-9
-            ), (name, joint)
+            assert data.joint("hers_" + joint).qpos[0] == pytest.approx(own.joint(joint).qpos[0], abs=1e-9), (
+                name,
+                joint,
+            )
 
 
-def test_what_was_attached_is_written_and_read_again(
-    made: Callable[..., Path], tmp_path: Path
-) -> None:
+def test_what_was_attached_is_written_and_read_again(made: Callable[..., Path], tmp_path: Path) -> None:
     """As XML, by MuJoCo."""
     parent = mujoco.MjSpec.from_string(TORSO)
     scene = made("--side", "left", *ASSEMBLIES["scapula leads"])

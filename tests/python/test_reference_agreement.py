@@ -68,9 +68,7 @@ def make_poses(reference: ReferenceRhythm) -> list[tuple[float, float]]:
     """Random ones, some of them outside; all knots; on, below and above every edge of a cell."""
     random = np.random.default_rng(SEED)
     elevations_deg, planes_deg = reference.elevations_deg, reference.planes_deg
-    poses = [
-        (random.uniform(0.0, 140.0), random.uniform(-30.0, 110.0)) for _ in range(RANDOM_POSES)
-    ]
+    poses = [(random.uniform(0.0, 140.0), random.uniform(-30.0, 110.0)) for _ in range(RANDOM_POSES)]
     poses += [(elevation, plane) for plane in planes_deg for elevation in elevations_deg]
     for nudge_deg in (-NUDGE_DEG, 0.0, NUDGE_DEG):
         for _ in range(POSES_PER_EDGE):
@@ -191,9 +189,7 @@ def test_the_papers_example_lies_in_its_cell(run_program: RunProgram) -> None:
     assert cell["plane_weight"] == pytest.approx(10 / 50, abs=WEIGHT)
 
 
-def test_one_pose_says_how_it_was_solved(
-    run_program: RunProgram, reference: ReferenceRhythm
-) -> None:
+def test_one_pose_says_how_it_was_solved(run_program: RunProgram, reference: ReferenceRhythm) -> None:
     answer = solve_one(run_program, 23, 50)
     assert answer["interpolation"] == "squad"
     assert answer["closure"] == "table"

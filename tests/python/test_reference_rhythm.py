@@ -142,9 +142,7 @@ def test_an_euler_sequence_is_the_product_of_its_matrices_from_left_to_right(seq
     ("sequence", "second_deg"),
     [("yxz", (-85.0, 85.0)), ("xzy", (-85.0, 85.0)), ("yxy", (-175.0, -5.0))],
 )
-def test_euler_angles_survive_the_way_there_and_back(
-    sequence: str, second_deg: tuple[float, float]
-) -> None:
+def test_euler_angles_survive_the_way_there_and_back(sequence: str, second_deg: tuple[float, float]) -> None:
     random = np.random.default_rng(SEED)
     for _ in range(SAMPLES):
         angles_deg = (
@@ -280,9 +278,7 @@ def test_sc_times_ac_differs_from_the_published_st_by_2_degrees(database: list[P
 
 def test_sc_ac_gh_has_its_nominal_elevation(database: list[Position]) -> None:
     errors_deg = [
-        elevation_and_plane_deg(
-            multiply(multiply(p.rotation("sc"), p.rotation("ac")), p.rotation("gh"))
-        )[0]
+        elevation_and_plane_deg(multiply(multiply(p.rotation("sc"), p.rotation("ac")), p.rotation("gh")))[0]
         - p.elevation_deg
         for p in database
     ]
@@ -318,9 +314,7 @@ def planes_reached_deg(
 def test_sc_ac_gh_drifts_from_its_plane_as_published(
     database: list[Position], plane_deg: float, published: tuple[int, ...]
 ) -> None:
-    reached = planes_reached_deg(
-        database, plane_deg, lambda p: multiply(p.rotation("sc"), p.rotation("ac"))
-    )
+    reached = planes_reached_deg(database, plane_deg, lambda p: multiply(p.rotation("sc"), p.rotation("ac")))
     assert reached == pytest.approx(published, abs=WHOLE)
 
 
@@ -404,21 +398,15 @@ def velocity_jump(curve: Callable[[float], Array], x: float) -> float:
     h = 1e-4
 
     def velocity(step: float) -> Array:
-        near, far = (
-            2.0 * np.degrees(log(multiply(inverse(curve(x)), curve(x + k * step)))) for k in (1, 2)
-        )
+        near, far = (2.0 * np.degrees(log(multiply(inverse(curve(x)), curve(x + k * step)))) for k in (1, 2))
         return (4.0 * near - far) / (2.0 * step)
 
     return float(np.linalg.norm(velocity(h) - velocity(-h)))
 
 
-def largest_jump_over_theta(
-    reference: ReferenceRhythm, joint: str, interpolation: Interpolation
-) -> float:
+def largest_jump_over_theta(reference: ReferenceRhythm, joint: str, interpolation: Interpolation) -> float:
     def jump(knot: float, psi: float) -> float:
-        return velocity_jump(
-            lambda theta: reference.solve(theta, psi, interpolation).rotations[joint], knot
-        )
+        return velocity_jump(lambda theta: reference.solve(theta, psi, interpolation).rotations[joint], knot)
 
     planes_deg = (0.0, 20.0, 40.0, 65.0, 90.0)
     return max(jump(knot, psi) for knot in reference.elevations_deg[1:-1] for psi in planes_deg)

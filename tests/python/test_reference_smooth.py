@@ -187,9 +187,7 @@ def test_through_three_knots_goes_the_parabola() -> None:
 
     knots = (0.0, 0.4, 0.9)
     x = np.linspace(-0.5, 1.5, 41)
-    assert Spline(knots).weights(x) @ parabola(np.array(knots)) == pytest.approx(
-        parabola(x), abs=ROUNDING
-    )
+    assert Spline(knots).weights(x) @ parabola(np.array(knots)) == pytest.approx(parabola(x), abs=ROUNDING)
 
 
 def test_a_spline_passes_through_its_values() -> None:
@@ -270,9 +268,7 @@ def test_the_hanging_humerus_turns_as_published(smooth: SmoothRhythm) -> None:
     assert math.degrees(smooth.hanging_tau()) == pytest.approx(2.3, abs=0.05)
 
 
-def test_at_the_knots_the_arm_turns_as_in_the_table(
-    smooth: SmoothRhythm, database: list[Position]
-) -> None:
+def test_at_the_knots_the_arm_turns_as_in_the_table(smooth: SmoothRhythm, database: list[Position]) -> None:
     elevations_deg, planes_deg = np.array([(p.elevation_deg, p.plane_deg) for p in database]).T
     closures: tuple[Closure, ...] = ("table", "exact")
     of_table, of_exact = (
@@ -315,9 +311,7 @@ def test_the_arm_is_where_it_was_asked_for(smooth: SmoothRhythm, extent: Extent)
 
 
 @pytest.mark.parametrize("closure", ["table", "exact"])
-def test_an_axial_command_turns_the_humerus_inward_by_as_much(
-    smooth: SmoothRhythm, closure: Closure
-) -> None:
+def test_an_axial_command_turns_the_humerus_inward_by_as_much(smooth: SmoothRhythm, closure: Closure) -> None:
     elevations_deg, planes_deg = (np.array(a) for a in ((20.0, 60.0, 110.0), (5.0, 50.0, 80.0)))
     plain, turned_in = (
         smooth.solve(elevations_deg, planes_deg, a, closure=closure, extent="clamp").angles_deg
@@ -339,9 +333,7 @@ def test_offsets_move_the_clavicle_and_glenohumeral_follows(smooth: SmoothRhythm
     elevations_deg, planes_deg = reachable_poses(np.random.default_rng(SEED))
     plain = smooth.solve(elevations_deg, planes_deg)
     moved = smooth.solve(elevations_deg, planes_deg, shrug_deg=10.0, protraction_deg=-4.0)
-    changes_deg = {
-        c: moved.angles_deg[c] - plain.angles_deg[c] for c in plain.angles_deg if c[:2] != "gh"
-    }
+    changes_deg = {c: moved.angles_deg[c] - plain.angles_deg[c] for c in plain.angles_deg if c[:2] != "gh"}
     expected_deg = {"sc_elevation": -10.0, "sc_protraction": -4.0}
     for coordinate, change_deg in changes_deg.items():
         expected = expected_deg.get(coordinate, 0.0)
@@ -384,9 +376,7 @@ def test_additions_end_at_the_joints_ranges(
     assert 0 < is_free.sum() < SAMPLES
 
 
-def test_gh_stops_offsets_where_its_range_ends(
-    database: list[Position], smooth: SmoothRhythm
-) -> None:
+def test_gh_stops_offsets_where_its_range_ends(database: list[Position], smooth: SmoothRhythm) -> None:
     ranges = read_joint_ranges()
     random = np.random.default_rng(SEED)
     poses_deg = reachable_poses(random)
@@ -468,8 +458,7 @@ RANGE_DEG = {"sc": WHOLE, "ac": WHOLE, "st": 1.0}
 
 def test_clavicle_and_scapula_stay_in_their_published_ranges(smooth: SmoothRhythm) -> None:
     theta, psi = (
-        np.radians(a.ravel())
-        for a in np.meshgrid(np.arange(0.0, 181.0, 2.0), np.arange(-60.0, 136.0, 3.0))
+        np.radians(a.ravel()) for a in np.meshgrid(np.arange(0.0, 181.0, 2.0), np.arange(-60.0, 136.0, 3.0))
     )
     q = {joint: smooth.whole_rotation(joint, theta, psi) for joint in ("sc", "ac")}
     q["st"] = multiply(q["sc"], q["ac"])
@@ -495,9 +484,7 @@ def test_the_humerus_in_the_scapula_stays_in_its_published_range(
 ) -> None:
     angle_deg = smooth.solve(*published_grid(3.0)).angles_deg[coordinate]
     found_deg = (angle_deg.min(), angle_deg.max())
-    assert found_deg == pytest.approx(
-        PUBLISHED_GH_RANGES_DEG[coordinate], abs=GH_RANGE_DEG[coordinate]
-    )
+    assert found_deg == pytest.approx(PUBLISHED_GH_RANGES_DEG[coordinate], abs=GH_RANGE_DEG[coordinate])
 
 
 def test_over_the_whole_reach_every_joint_stays_in_its_range(smooth: SmoothRhythm) -> None:
@@ -720,10 +707,7 @@ def velocity_jumps(rotations: Callable[[float], dict[str, Array]]) -> dict[str, 
     def velocities(step: float) -> dict[str, Array]:
         near, far = rotations(step), rotations(2.0 * step)
         return {
-            j: (
-                4.0 * logs(multiply(inverses(at[j]), near[j]))
-                - logs(multiply(inverses(at[j]), far[j]))
-            )
+            j: (4.0 * logs(multiply(inverses(at[j]), near[j])) - logs(multiply(inverses(at[j]), far[j])))
             / (2.0 * step)
             for j in at
         }
@@ -737,9 +721,7 @@ def test_velocity_does_not_jump_over_an_elevation(smooth: SmoothRhythm, border_d
     psi = np.radians(np.arange(-60.0, 136.0, 5.0))
     none = np.zeros_like(psi)
     command = Command(np.full_like(psi, math.radians(border_deg)), psi, none, none, none)
-    jumps = velocity_jumps(
-        lambda h: smooth.joint_rotations(command.moved(h, 0.0), "exact", "whole")
-    )
+    jumps = velocity_jumps(lambda h: smooth.joint_rotations(command.moved(h, 0.0), "exact", "whole"))
     for joint, jump in jumps.items():
         assert jump.max() < DIFFERENCE, (joint, jump.max())
 
@@ -749,16 +731,12 @@ def test_velocity_does_not_jump_over_a_plane(smooth: SmoothRhythm, border_deg: f
     theta = np.radians(np.arange(0.0, 181.0, 5.0))
     none = np.zeros_like(theta)
     command = Command(theta, np.full_like(theta, math.radians(border_deg)), none, none, none)
-    jumps = velocity_jumps(
-        lambda h: smooth.joint_rotations(command.moved(0.0, h), "exact", "whole")
-    )
+    jumps = velocity_jumps(lambda h: smooth.joint_rotations(command.moved(0.0, h), "exact", "whole"))
     for joint, jump in jumps.items():
         assert jump.max() < DIFFERENCE, (joint, jump.max())
 
 
-def bone_rates(
-    smooth: SmoothRhythm, elevations_deg: Array, planes_deg: Array
-) -> dict[str, dict[str, Array]]:
+def bone_rates(smooth: SmoothRhythm, elevations_deg: Array, planes_deg: Array) -> dict[str, dict[str, Array]]:
     """Angular velocities of clavicle, scapula and humerus in the thorax, in its axes."""
     rates = smooth.rates(elevations_deg, planes_deg)
     rotations = smooth.solve(elevations_deg, planes_deg).rotations
@@ -776,12 +754,8 @@ def test_the_velocities_of_the_joints_carry_the_arm_as_commanded(smooth: SmoothR
     elevations_deg, planes_deg = reachable_poses(np.random.default_rng(SEED))
     theta, psi = np.radians(elevations_deg), np.radians(planes_deg)
     expected = {
-        "elevation": np.stack(
-            [np.cos(theta) * np.sin(psi), np.sin(theta), np.cos(theta) * np.cos(psi)]
-        ),
-        "plane": np.stack(
-            [np.sin(theta) * np.cos(psi), np.zeros_like(psi), -np.sin(theta) * np.sin(psi)]
-        ),
+        "elevation": np.stack([np.cos(theta) * np.sin(psi), np.sin(theta), np.cos(theta) * np.cos(psi)]),
+        "plane": np.stack([np.sin(theta) * np.cos(psi), np.zeros_like(psi), -np.sin(theta) * np.sin(psi)]),
     }
     for command, bones in bone_rates(smooth, elevations_deg, planes_deg).items():
         carried = np.cross(bones["humerus"].T, arm_direction(theta, psi).T).T
@@ -839,9 +813,7 @@ def test_the_distance_is_the_smallest_of_all() -> None:
         (90.0, 135.0, 45.0),
     ],
 )
-def test_the_distance_is_what_it_must_be(
-    elevation_deg: float, plane_deg: float, distance_deg: float
-) -> None:
+def test_the_distance_is_what_it_must_be(elevation_deg: float, plane_deg: float, distance_deg: float) -> None:
     assert distance_from_measured_deg(elevation_deg, plane_deg) == pytest.approx(
         distance_deg, abs=ROUNDING_DEG
     )

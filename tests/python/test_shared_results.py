@@ -62,9 +62,7 @@ def test_an_end_without_report_is_not_kept(
         assert runs(tmp_path) == count
 
 
-def test_another_scene_beside_the_same_words_is_verified(
-    shared: SharedResults, tmp_path: Path
-) -> None:
+def test_another_scene_beside_the_same_words_is_verified(shared: SharedResults, tmp_path: Path) -> None:
     assert shared.verify(write_scene(tmp_path, "0")).code == 0
     assert shared.verify(write_scene(tmp_path, "1")).code == 1
 
@@ -84,9 +82,7 @@ def test_a_file_with_other_bytes_makes_another_model(
     assert runs(tmp_path) == 2
 
 
-def test_a_folder_with_another_file_makes_another_model(
-    shared: SharedResults, tmp_path: Path
-) -> None:
+def test_a_folder_with_another_file_makes_another_model(shared: SharedResults, tmp_path: Path) -> None:
     body = tmp_path / "body"
     (body / "targets").mkdir(parents=True)
     models = [shared.generate("--skin", body)]

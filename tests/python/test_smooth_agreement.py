@@ -160,10 +160,7 @@ def make_commands() -> dict[str, Array]:
     # Files hold elevations from hanging to straight up.
     elevations_deg = np.clip(elevations_deg, 0.0, 180.0)
     plain = [elevations_deg, planes_deg, *(np.zeros(len(poses)) for _ in columns[2:])]
-    return {
-        name: np.concatenate(pair)
-        for name, *pair in zip(RANDOM_RANGES_DEG, columns, plain, strict=True)
-    }
+    return {name: np.concatenate(pair) for name, *pair in zip(RANDOM_RANGES_DEG, columns, plain, strict=True)}
 
 
 def solve_file(
@@ -186,9 +183,7 @@ def solve_file(
     run_program("solve", "--in", poses_path, "--out", angles_path, *model, *how)
     with angles_path.open(newline="", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
-    return {
-        name: np.array([float(row[name]) for row in rows]) for name in rows[0] if name != "origin"
-    }
+    return {name: np.array([float(row[name]) for row in rows]) for name in rows[0] if name != "origin"}
 
 
 # Of the random poses, that many.
@@ -211,12 +206,8 @@ def test_axial_turns_from_other_zeros_agree_with_the_reference(
 ) -> None:
     random = np.random.default_rng(SEED)
     ranges_deg = {**RANDOM_RANGES_DEG, "axial_deg": (-400.0, 400.0)}
-    commands = {
-        name: random.uniform(*range_deg, AXIAL_POSES) for name, range_deg in ranges_deg.items()
-    }
-    answers = solve_file(
-        run_program, tmp_path, commands, closure, extent, "--axial-from", zero
-    )
+    commands = {name: random.uniform(*range_deg, AXIAL_POSES) for name, range_deg in ranges_deg.items()}
+    answers = solve_file(run_program, tmp_path, commands, closure, extent, "--axial-from", zero)
     asked = (commands["elevation_deg"], commands["plane_deg"])
     turn_deg = smooth.axial_on_rhythm_deg(*asked, commands["axial_deg"], zero, closure, extent)
     expected = smooth.solve(**{**commands, "axial_deg": turn_deg}, closure=closure, extent=extent)
@@ -310,9 +301,7 @@ def test_the_program_knows_how_far_away_the_measurements_are(solution: Solution)
 
 @pytest.mark.parametrize("command", ["elevation", "plane"])
 @pytest.mark.parametrize("joint", JOINT_SEQUENCES)
-def test_the_velocities_are_those_of_the_rotations(
-    solution: Solution, joint: str, command: str
-) -> None:
+def test_the_velocities_are_those_of_the_rotations(solution: Solution, joint: str, command: str) -> None:
     expected = solution.expected_rates[joint][command]
     answered = np.stack([solution.answers[f"{joint}_w_{command}_{axis}"] for axis in "xyz"])
     # Where GH stops the offsets the program's rates take them as constant, and say so. On a kink
