@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// Words of the command line that are not known, and what the user meant by them.
+/// Unknown words of the command line, and suggestions of known ones.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -10,14 +10,14 @@
 
 namespace girdle {
 
-/// Throws InputError at the first word of the command line that cannot be right:
+/// Throws InputError at the first word of the command line that is surely wrong:
 ///
-/// - an empty word, or an option with an empty value, which a shell variable without value leaves;
+/// - an empty word, or an option with an empty value, which an unset shell variable gives;
 /// - a first word that is no verb of the program;
-/// - an option that the verb does not have. The message names the option's new name if it was
-///   renamed, the verbs that have it, or the option that it is a slip of.
+/// - an option that the verb does not have. The message names the new name of a renamed option, the
+///   verbs that have the option, or the option whose name is similar.
 ///
-/// `words` are those behind the program's name. Values of options are not looked at.
+/// `words` are the words after the program's name. Values of options are not checked.
 void ExpectKnownWords(const CLI::App& program, const std::vector<std::string>& words);
 
 }  // namespace girdle
