@@ -11,16 +11,16 @@
 
 namespace girdle {
 
-/// Returns the report in a few lines: what it is about, the verdict, a table with one row a kind of
+/// Returns the report in a few lines: the model, the verdict, a table with one row for each kind of
 /// residual, every failure in full, and the verdict again.
 ///
-/// A row shows the residual that comes nearest to its tolerance or exceeds it most: its value, its
-/// tolerance, where it is, and how many residuals of its kind have a tolerance. A kind without any
+/// A row shows the residual that is nearest to its tolerance or exceeds it most: its value, its
+/// tolerance, its pose, and how many residuals of its kind have a tolerance. A kind without any
 /// tolerance shows its first residual. Poses are written as elevation/plane [deg].
 [[nodiscard]] std::string SummaryAsText(const ResidualReport& report, const TextStyle& style);
 
-/// Returns the parts of the summary, for reports that put something of their own between them: what
-/// the report is about with the verdict, the table, the failures, and the remark with the verdict.
+/// The parts of the summary, for reports that put other text between them: the model with the
+/// verdict, the table, the failures, and the remark with the verdict.
 struct SummaryParts {
   std::string head;
   std::string table;

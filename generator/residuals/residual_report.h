@@ -14,39 +14,41 @@ namespace girdle {
 
 /// How a report is written.
 enum class ReportForm {
-  kSummary,  ///< one line a kind of residual, and every failure in full
+  kSummary,  ///< one line for each kind of residual, and every failure in full
   kFull,     ///< every residual
   kJson,     ///< every residual, for programs
 };
 
-/// Form of a report, and what the terminal allows where it is text.
+/// Form of a report, and the width and colours of text.
 struct ReportChoice {
   ReportForm form = ReportForm::kSummary;
   TextStyle style;
 };
 
-/// Returns the verdict in one sentence that begins with PASS or FAIL: how many residuals are
-/// outside their tolerances, of how many that have one.
+/// Returns the verdict in one sentence that begins with PASS or FAIL. It tells how many of the
+/// residuals with a tolerance are outside it.
 [[nodiscard]] std::string VerdictText(const ResidualReport& report);
 
-/// Returns what the report is about: model, kind, rhythm, engine. Each begins a line, and lines are
-/// wrapped at `width`. A longer path of the model loses its beginning.
+/// Returns the model, its kind, the rhythm and the engine of the report. Each begins a line, and
+/// lines are wrapped at `width`. If the path of the model is longer, its beginning is cut off.
 [[nodiscard]] std::string SubjectText(const ResidualReport& report, std::size_t width);
 
-/// Returns all residuals as a table for people, the verdict last. The result of a residual is
-/// `pass` or `FAIL`; `stated` if it has no tolerance; `follows` if it cannot be off unless another
-/// residual is. Where the table is wider than the style allows, each kind stands under a heading
-/// and the pose of the worst case stands on a line of its own.
+/// Returns all residuals as a table for people, with the verdict last. The result of a residual is
+/// `pass` or `FAIL`. It is `stated` if the residual has no tolerance, and `follows` if the residual
+/// can only be off if another one is. If the table is wider than the style allows, each kind has a
+/// heading, and the pose of the worst case has a line of its own.
 [[nodiscard]] std::string ReportAsText(const ResidualReport& report, const TextStyle& style);
 
-/// Returns the report as JSON: `model`, `kind`, `rhythm`, `mujoco`, `passed`,
-/// `remark` and the array
-/// `residuals` of `group`, `item`, `value`, `unit`, `tolerance` (null where the value is only
-/// stated), `bound` (a word of kBoundNames: what the value has to be to it), `follows` (whether it
-/// cannot be off unless another line is), `passed`, `where`. A value that is not finite is null.
+/// Returns the report as JSON: `model`, `kind`, `rhythm`, `mujoco`, `passed`, `remark`, and the
+/// array `residuals`.
+///
+/// Each residual has `group`, `item`, `value`, `unit`, `tolerance` (null if the value is only
+/// stated), `bound` (a word of kBoundNames: how the value must compare with the tolerance),
+/// `follows` (whether the value can only be off if another line is), `passed`, and `where`. A value
+/// that is not finite is null.
 [[nodiscard]] std::string ReportAsJson(const ResidualReport& report);
 
-/// Returns the report in a form; the summary is that of report_summary.h.
+/// Returns the report in the chosen form. The summary is that of report_summary.h.
 [[nodiscard]] std::string ReportIn(const ReportChoice& choice, const ResidualReport& report);
 
 }  // namespace girdle
