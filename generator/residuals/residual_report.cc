@@ -55,7 +55,7 @@ std::size_t WidestLine(const std::string& text) {
   return widest;
 }
 
-// The table without the columns of the kind, which becomes a heading, and of the pose.
+// Returns the table without two columns: the kind becomes a heading, and the pose a line.
 std::string NarrowTable(const ResidualReport& report, const TextStyle& style) {
   constexpr std::size_t kIndent = 2;
   std::vector<std::vector<std::string>> rows;
@@ -86,7 +86,7 @@ std::string NarrowTable(const ResidualReport& report, const TextStyle& style) {
   return text;
 }
 
-// A path that is too long without its beginning.
+// Returns the end of a path that is longer than `width`.
 std::string EndOf(const std::string& path, std::size_t width) {
   constexpr std::string_view kCut = "...";
   if (path.size() <= width || width <= kCut.size()) {
