@@ -606,7 +606,7 @@ ShoulderRhythm::Jets<Order> ShoulderRhythm::JetsFor(const ArmCommand& command) c
 
 // With closure exact, d is the direction of the arm, and n = (-cos psi, 0, sin psi) is the axis
 // about which the arm is raised. The rotation q_TH = S Ry(tau) of humerus_rotation.h has the
-// velocities
+// angular velocities
 //   w_TH = n + dtau/dtheta (-d) with theta,   w_TH = y + (dtau/dpsi - 1) (-d) with psi,
 // and w_SH = q_TS^-1 (w_TH - w_TS), w_TS = w_TC + q_TC w_CS.
 ShoulderRates ShoulderRhythm::PlainRates(double elevation_rad, double plane_rad) const noexcept {
