@@ -52,7 +52,7 @@ struct SimulateArguments {
   bool json = false;
 };
 
-// An elevation of `--elevation FROM:TO`.
+// Returns an elevation of `--elevation FROM:TO`.
 double RaiseElevation(const SimulateArguments& arguments, const std::string& text) {
   const std::string option = "--elevation '" + *arguments.elevation + "': ";
   const AngleConvention convention = ReadingFrom(arguments.angles).convention;

@@ -42,7 +42,7 @@ struct SmoothTableArguments {
   bool json = false;
 };
 
-// A table and the comments in front of it.
+// A table and the comments before it.
 struct CommentedTable {
   RhythmTable table;
   std::vector<std::string> comments;

@@ -167,7 +167,7 @@ CellEdges EdgesOf(const RhythmTable& table, const RhythmCell& cell) {
           DegreesFromRadians(planes[cell.plane_index + 1])};
 }
 
-// First and second derivatives [deg per deg, deg per deg^2].
+// Returns first and second derivatives [deg per deg, deg per deg^2] as JSON.
 nlohmann::ordered_json DerivativesAsJson(const ShoulderDerivatives& derivatives) {
   nlohmann::ordered_json json;
   const auto first = [](const Vector3& w) { return std::array{w.x, w.y, w.z}; };
@@ -312,7 +312,7 @@ constexpr std::size_t kLabelWidth = 22;
 constexpr std::size_t kAngleWidth = 13;
 constexpr int kDecimals = 6;
 
-// Numbers to the right of a label, each in a column of its own.
+// Returns numbers to the right of a label, each in a column of its own.
 std::string NumbersAsText(const std::string& label, const std::vector<double>& numbers,
                           int digits) {
   std::string text = AlignedLeft(label, kLabelWidth);
@@ -355,7 +355,7 @@ std::string PointsAsText(const Anatomy& anatomy, const ShoulderPose& pose, int d
   return text;
 }
 
-// How each angle changes with elevation and plane.
+// Returns how each angle changes with elevation and plane.
 std::string DerivativesAsText(const ShoulderDerivatives& derivatives, int digits) {
   std::string text = "\n" + AlignedLeft("change of", kLabelWidth) +
                      AlignedRight("elevation", kAngleWidth) + AlignedRight("plane", kAngleWidth) +

@@ -459,7 +459,8 @@ ArmCommand ShoulderRhythm::WithinRange(const ArmCommand& command) const noexcept
           FiniteOrZero(command.protraction_rad)};
 }
 
-// A turn about the humerus's own y comes last in X-Z'-Y'': it adds to GH's axial angle.
+// A turn about the humerus's own y is the last one in X-Z'-Y'', so that it adds to GH's axial
+// angle.
 void ShoulderRhythm::AddAxialTurn(ShoulderPose& pose, ArmCommand& used) const noexcept {
   used.axial_rad =
       Bounded(AnglesFromPose(pose)[kGhAxialIndex], used.axial_rad, ranges_[kGhAxialIndex]);

@@ -105,7 +105,7 @@ SplineAxis::SplineAxis(const std::vector<double>& knots)
     weights_[(piece * kPowers + power) * knots_ + knot] = value;
   };
   if (knots_ == kParabolaKnots) {
-    // Newton's form, f_0 + [f_0 f_1] s + [f_0 f_1 f_2] s (s - h_0), in powers of s.
+    // Newton's form, f_0 + [f_0 f_1] s + [f_0 f_1 f_2] s (s - h_0), expanded in powers of s.
     const double h_0 = knots[1] - knots[0];
     const double h_1 = knots[2] - knots[1];
     const std::array<double, 3> second = {1 / (h_0 * (h_0 + h_1)), -1 / (h_0 * h_1),

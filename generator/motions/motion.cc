@@ -64,7 +64,7 @@ class RowTimes {
 constexpr double kFarRows_s = 1;
 constexpr std::size_t kFewRows = 10;
 
-// The median of the times from row to row [s]. Precondition: two rows or more.
+// Returns the median of the times from row to row [s]. Precondition: two or more rows.
 double MedianStep_s(const std::vector<TimedCommand>& rows) {
   std::vector<double> steps_s;
   for (std::size_t i = 1; i < rows.size(); ++i) {

@@ -23,12 +23,12 @@ namespace {
 
 constexpr const char* kGliding = "scapulothoracic";
 
-// Distance of the fit in an adult: 4.4 mm rms, 17 mm at most. For other people it scales with the
-// size of their ellipsoid.
+// Tolerance in an adult, from the fit: 4.4 mm rms, 17 mm at most. Other people's tolerance scales
+// with the size of their ellipsoid.
 constexpr double kGlidingRms_mm = 5;
 constexpr double kGlidingWorst_mm = 17;
-// For a loop. The ellipsoid was fitted to the scapula under SC and AC; under ST the scapula is up
-// to 2.5 deg away, which is 6 mm at TS.
+// Tolerance for a loop. The ellipsoid was fitted to the scapula under SC and AC; under ST the
+// scapula is up to 2.5 deg away, which is 6 mm at TS.
 constexpr double kLoopGlidingRms_mm = 6.5;
 
 class GlidingGroup : public ResidualGroup {

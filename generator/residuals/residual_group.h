@@ -51,8 +51,8 @@ enum class PoseKind {
   /// Exactly at the servos' targets, without a step: along the motions and at the table's
   /// positions.
   kAtTargets,
-  /// At a position of a loop's table, held by servos and constraints. With thorax contact, which
-  /// pushes the joints off their targets, at the targets.
+  /// At a position of a loop's table, held by servos and constraints. In models with thorax
+  /// contact, which pushes the joints off their targets, the pose at the targets.
   kTableHeld,
   /// At a position of the table, at rest on the thorax. Only for models with thorax contact.
   kTableOnThorax,

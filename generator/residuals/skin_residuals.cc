@@ -30,10 +30,12 @@ constexpr double kPercent = 100;
 
 // MuJoCo blends the skin in single precision, at 1.5 m above the floor.
 constexpr double kSinglePrecision_mm = 1e-3;
-// For an adult. The AC joint rises by 15.7 to 17.7. The acromion's tip, further out, rises by 23 to
-// 25. With an arm that turns in GH alone, the skin rises by 1 at most.
+// Least rise of the acromion's skin in an adult. The AC joint rises by 15.7 to 17.7. The acromion's
+// tip, further out, rises by 23 to 25. With an arm that turns in GH alone, the skin rises by 1 at
+// most.
 constexpr double kAcromionRise_mm = 8;
-// With an arm that turns in GH alone it is 14 or more.
+// Largest share of skin that is squeezed below half of its area. With an arm that turns in GH alone
+// it is 14 or more.
 constexpr double kBelowHalf_percent = 5;
 // Radius of the skin around the joint, in an adult.
 constexpr double kAroundAc_m = 0.06;
@@ -51,7 +53,7 @@ constexpr double kBlendedJump_mm_per_deg = 1e-6;
 // 0.001 for squad (0.0001 at half the step); second order would leave 0.07 for squad.
 constexpr double kDrawnJump_mm_per_deg = 0.01;
 constexpr double kNoiseShare = 0.1;
-// For an adult. Squad as published has a corner at knots with uneven spaces: (8) and (9) scale
+// Limit in an adult. Squad as published has a corner at knots with uneven spaces: (8) and (9) scale
 // every space to one length, and (5) assumes that length. Over plane 40 the jump is 0.13.
 constexpr double kUnevenSquadJump_mm_per_deg = 0.2;
 

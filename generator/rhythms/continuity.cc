@@ -173,7 +173,7 @@ class Checker {
     const double top_rad = table.elevations_rad().back();
     const double half_rad = (kPi - top_rad) / 2;
     JumpMeter over_elevations(pose_);
-    // At 90 the humerus's turn changes its form beside the table.
+    // At 90 the turn of the humerus changes its form beyond the table.
     for (const double line_rad : {table.elevations_rad().front(), kPi / 2, top_rad,
                                   top_rad + half_rad / 2, top_rad + half_rad}) {
       if (line_rad > kRoom_rad && line_rad < kPi - kRoom_rad) {
@@ -269,8 +269,8 @@ class Checker {
       constexpr double kFastest = 3;
       constexpr double kFastestLow = 4.5;
       // A humerus rotates with its plane: at elevation 15 by the sine of the elevation, and hanging
-      // not at all. Of the 35 deg from plane -60 to -95, a share of 0.26 is passed in 15 deg, and
-      // midway 1.5 times as fast.
+      // not at all. The planes from -60 to -95 are 35 deg. A share of 0.26 of them is passed in 15
+      // deg, and midway 1.5 times as fast.
       constexpr double kFastestBehind = kFastestLow + 1.5 * 0.26 * 35 / 15;
       checks_.push_back(
           CheckOf(fastest_, "fastest bone per degree of elevation", kFastest, "deg/deg"));

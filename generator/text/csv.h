@@ -114,8 +114,8 @@ class CsvReader {
   /// columns.
   [[nodiscard]] std::size_t Column(std::string_view column) const;
   [[nodiscard]] bool HasColumn(std::string_view column) const noexcept;
-  /// Throws if the file has a column that is not among `known`. For formats that have no other
-  /// columns.
+  /// Throws if the file has a column that is not among `known`. This is for formats that have no
+  /// other columns.
   void ExpectOnlyColumns(const std::vector<std::string_view>& known) const;
   /// Throws if the name of a column is nearly one of `known` (IsNearly), with the name that is
   /// meant.
