@@ -137,7 +137,7 @@ ArmDirectionOf<T> ArmReach::FootOn(Piece piece, const ArmDirectionOf<T>& directi
 // answer passes from one limit to the other where both are equally near.
 template <typename T>
 T ArmReach::PlaneStraightUp(const T& plane_rad) const noexcept {
-  // With little room between the limits, the competition of the limits has no weight left.
+  // With little room between the limits, AnswerTo gives the plane of this function no weight.
   constexpr double kLeastWidth_rad = 1 * kRadiansPerDegree;
   const double width_rad = std::max(kPi - (kLastPlane_rad - free_plane_rad_), kLeastWidth_rad);
   const T from_rad = T(OppositeAbove_rad() - width_rad / 2);

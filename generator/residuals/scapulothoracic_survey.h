@@ -9,8 +9,8 @@
 /// upward rotation and elevation of the clavicle are negative.
 ///
 /// Absolute angles depend on the choice of bony points as landmarks. The change since elevation 30
-/// depends only on the thorax frame: the rotation of the model's scapula since the lowest position
-/// of its plane is applied to the measured scapula at that position.
+/// does not depend on them, except through the thorax frame: the rotation of the model's scapula
+/// since the lowest position of its plane is applied to the measured scapula at that position.
 #pragma once
 
 #include <array>
