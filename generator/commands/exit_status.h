@@ -14,8 +14,7 @@ inline constexpr int kFine = 0;
 inline constexpr int kAboveTolerance = 1;  ///< a residual or a check; its report is printed
 inline constexpr int kBadInput = 2;        ///< or bad usage, or an output that cannot be written
 inline constexpr int kFaultOfGirdle = 3;   ///< nothing that the user gave is to blame
-inline constexpr int kOutOfMemory =
-    4;  ///< Girdle's or MuJoCo's; the command may work on a machine with more memory
+inline constexpr int kOutOfMemory = 4;     ///< Girdle's or MuJoCo's; more memory may help
 
 /// Writes to `out` what an exception that ends the program means, and returns the exit status.
 ///
