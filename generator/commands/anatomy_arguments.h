@@ -24,10 +24,11 @@ void AddAnatomyArguments(CLI::App& verb, AnatomyArguments& arguments);
 
 /// Returns the chosen anatomy: that of the file, or the built-in one scaled to the body measures.
 ///
-/// If the bones have other proportions than the built-in ones, the scapula glides on an ellipsoid
-/// that is fitted to them under the built-in rhythm, or on that of the `--ellipsoids` file. A file
-/// of landmarks sets the lengths itself; of the measure of stature only the height above the floor
-/// is used with it. If GH is not among its rows, a line on standard error tells how GH was found.
+/// With `--ellipsoids`, the scapula glides on the ellipsoid of that file. Otherwise, for bones of
+/// other proportions than the built-in ones, an ellipsoid is fitted under the built-in rhythm. A
+/// file of landmarks sets the lengths itself; of the measure of stature only the height above the
+/// floor is used with it. If GH is not among its rows, a line on standard error tells how GH was
+/// found.
 ///
 /// Throws InputError for a file that is not of a right shoulder, for a measure outside the range of
 /// people, and for a length that is given beside a file of landmarks.

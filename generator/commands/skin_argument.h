@@ -30,8 +30,7 @@ void AddSkinArguments(CLI::App& verb, SkinArguments& arguments);
 /// A body to make a skin of.
 struct ChosenBody {
   PosedBody body;
-  SkinWeights artist =
-      {};  ///< of SkinBonesOf({right, left}); empty if the body has no weights of an artist
+  SkinWeights artist = {};     ///< of SkinBonesOf({right, left}); empty if no artist made any
   bool has_own_bones = false;  ///< whether the anatomy comes with the body
   /// The option and value that the body comes from, for messages: `--skin man.glb`. Empty for the
   /// built-in body.

@@ -26,8 +26,8 @@ struct RowSource {
 
 /// All combinations of these elevations and planes, in the order of the output: the elevations of
 /// the first plane, then those of the next. Neither list is empty. Values are as typed: elevations
-/// have the sign of the convention of RowOptions and are valid for ElevationRead_deg, planes may be
-/// given whole turns apart.
+/// have the sign of the convention of RowOptions and are valid for ElevationRead_deg, planes may
+/// have whole turns added.
 struct SweptPositions {
   std::vector<double> elevations_deg;
   std::vector<double> planes_deg;

@@ -106,9 +106,8 @@ void AppendTube(const std::vector<Station>& stations, int size, TriangleMesh& me
 
 // Returns `stations` with a smaller one beyond either end, so that the tube ends round.
 std::vector<Station> Rounded(std::vector<Station> stations) {
-  constexpr double kSize = 0.6;  // share of the last station's half axes
-  constexpr double kLength =
-      0.5;  // distance beyond the last station, as a share of its half thickness
+  constexpr double kSize = 0.6;    // share of the last station's half axes
+  constexpr double kLength = 0.5;  // distance beyond it, as a share of its half thickness
   const auto beyond = [](const Station& end, const Station& neighbor) {
     const Vector3 outward = glm::normalize(end.center_m - neighbor.center_m);
     return Station{end.center_m + kLength * end.half_thickness_m * outward, kSize * end.wide_m,

@@ -112,8 +112,7 @@ void ExpectOwnPlugin(const std::string& path, std::ifstream& in, const mjModel& 
 void ExpectSurvived(const std::string& path) {
   constexpr int kLimit_s = 60;
   constexpr int kSteps = 10;
-  const std::string whole_path =
-      std::filesystem::absolute(path);  // the child has another current folder
+  const std::string whole_path = std::filesystem::absolute(path);  // the child is elsewhere
   const ChildResult tried = RunInChild(
       [&whole_path](const auto& /*write*/) {
         try {
