@@ -17,11 +17,11 @@
 namespace girdle {
 namespace {
 
-// Nothing in a shoulder lies farther from its segment's origin; millimetres do.
+// No point of a shoulder is farther from its segment's origin. Coordinates in millimetres are.
 constexpr double kFarthestLandmark_m = 1;
 constexpr double kHeaviestSegment_kg = 200;
 constexpr double kLargestInertia_kg_m2 = 100;
-// From the clavicle to the coracoid process there are some centimeters.
+// The clavicle and the coracoid process are only some centimeters apart.
 constexpr double kLongestLigament_m = 0.2;
 constexpr double kStiffestLigament_N_per_m = 1e7;
 
@@ -31,7 +31,8 @@ class NamedRows {
   NamedRows(CsvReader& csv, std::string_view key_column, std::vector<std::string_view> names)
       : csv_(csv), key_(csv.Column(key_column)), names_(std::move(names)), seen_(names_.size()) {}
 
-  // Index of the next row's name, or nothing at the end, where all names must have been seen.
+  // Returns the index of the next row's name. Returns nothing at the end, and throws there if a
+  // name is missing.
   std::optional<std::size_t> Next() {
     if (!csv_.Next()) {
       const auto missing = std::find(seen_.begin(), seen_.end(), false);

@@ -28,7 +28,7 @@ struct Row {
   std::vector<Number*> numbers;
 };
 
-// The rows of an anatomy, in their order. `AnyAnatomy` is Anatomy or const Anatomy.
+// Returns the rows of an anatomy in their order. `AnyAnatomy` is Anatomy or const Anatomy.
 template <typename AnyAnatomy, typename Number>
 std::vector<Row<Number>> RowsOf(AnyAnatomy& anatomy) {
   std::vector<Row<Number>> rows;
@@ -75,7 +75,7 @@ std::vector<Row<Number>> RowsOf(AnyAnatomy& anatomy) {
 
 constexpr std::string_view kProportionsName = "adult_proportions";
 
-// Texts with a separator between, which is not part of them.
+// Returns the parts of a text between separators, without the separators.
 std::vector<std::string> Parts(std::string_view text, std::string_view separator) {
   std::vector<std::string> parts;
   for (std::size_t from = 0; from <= text.size();) {
@@ -86,7 +86,7 @@ std::vector<std::string> Parts(std::string_view text, std::string_view separator
   return parts;
 }
 
-// The numbers of a row that has this name and so many of them; nothing for any other row.
+// Returns the numbers of a row with this name and this many numbers; nothing for any other row.
 std::optional<std::vector<double>> NumbersOf(const std::string& row, const std::string& name,
                                              std::size_t count) {
   const std::vector<std::string> words = Parts(row, " ");

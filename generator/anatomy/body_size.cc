@@ -17,7 +17,7 @@ constexpr double kHumerusShareOfBodyMass = 0.028;
 
 struct Unit {
   std::string_view name;
-  double per_unit;  // how many of it make one of the right unit
+  double per_unit;  // how many make one of the right unit
 };
 constexpr Unit kWrongLengths[] = {{"centimeters", 100}, {"millimeters", 1000}};
 constexpr Unit kWrongMasses[] = {{"grams", 1000}};
@@ -26,7 +26,7 @@ bool IsWithin(const BodyMeasure& measure, double value) {
   return value >= measure.smallest && value <= measure.largest;
 }
 
-// What to type instead of a value that is out of bounds.
+// Returns a suggestion of what to type instead of a value that is out of bounds.
 std::string Advice(const BodyMeasure& measure, double value) {
   const bool is_length = measure.unit == "m";
   const auto advice = [&](const Unit& unit) {
@@ -45,7 +45,7 @@ std::string Advice(const BodyMeasure& measure, double value) {
   return "Give one such as " + std::string(measure.example) + " " + std::string(measure.unit);
 }
 
-// The way round the trunk in its median plane.
+// Returns the length around the trunk in its median plane.
 double AroundTheThorax_m(const Anatomy& anatomy) {
   const Landmark around[] = {Landmark::kIJ, Landmark::kC7, Landmark::kT8, Landmark::kPX};
   double length_m = 0;
@@ -131,7 +131,7 @@ Anatomy ScaledAnatomy(const Anatomy& anatomy, const BodySize& size) {
   if (size.stature_m) {
     scaled.jugular_notch_height_m = JugularNotchHeight_m(*size.stature_m);
   }
-  // The humerus does not touch the thorax.
+  // A longer humerus changes nothing here, because the humerus does not touch the thorax.
   if (size.clavicle_length_m || size.scapula_length_m) {
     scaled.has_adult_proportions = false;
   }

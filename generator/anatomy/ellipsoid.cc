@@ -9,9 +9,9 @@
 
 namespace girdle {
 
-// The nearest point x of the surface has p - x = l grad/2, i.e. x_i = r_i^2 p_i / (l + r_i^2) for
-// the largest root l of sum (r_i p_i / (l + r_i^2))^2 = 1, which bisection finds (Eberly, Distance
-// from a Point to an Ellipsoid).
+// The nearest point x of the surface has p - x = l grad/2, which gives x_i = r_i^2 p_i / (l +
+// r_i^2). l is the largest root of sum (r_i p_i / (l + r_i^2))^2 = 1, which bisection finds
+// (Eberly, Distance from a Point to an Ellipsoid).
 SurfacePoint NearestOnEllipsoid(const Ellipsoid& ellipsoid, const Vector3& point_m) noexcept {
   const Vector3 p = point_m - ellipsoid.center_m;
   const Vector3& r = ellipsoid.radii_m;
@@ -28,7 +28,7 @@ SurfacePoint NearestOnEllipsoid(const Ellipsoid& ellipsoid, const Vector3& point
   };
   double lower = -r_squared[shortest];
   double upper = glm::length(r) * glm::length(p) + glm::dot(p, p);
-  // Halving a range of at most some meters squared this often reaches the last bit.
+  // A range of at most some meters squared that is halved this often is exact to the last bit.
   constexpr int kHalvings = 100;
   for (int i = 0; i < kHalvings; ++i) {
     const double middle = (lower + upper) / 2;
@@ -41,8 +41,8 @@ SurfacePoint NearestOnEllipsoid(const Ellipsoid& ellipsoid, const Vector3& point
       x[i] = r_squared[i] * p[i] / (r_squared[i] + upper);
     }
   }
-  // Near the plane across the shortest axis, deep inside, that axis's own quotient is 0 / 0; there
-  // the surface says how far along it the point is.
+  // Near the plane across the shortest axis, deep inside, the quotient of that axis is 0 / 0. The
+  // coordinate along that axis then comes from the equation of the surface.
   constexpr double kCancelled = 1e-6;
   if (r_squared[shortest] + upper < kCancelled * r_squared[shortest]) {
     Vector3 others = x / r;

@@ -15,13 +15,13 @@ namespace girdle {
 namespace {
 
 // A humeral head has a radius of about 24 mm (Iannotti et al., J Bone Joint Surg Am
-// 1992;74:491-500), a child's a third of it; none is twice as large.
+// 1992;74:491-500). A child's head has a third of it, and no head has twice as much.
 constexpr double kSmallestHead_m = 0.008;
 constexpr double kLargestHead_m = 0.048;
-// So many points determine a sphere.
+// Number of points that determine a sphere.
 constexpr std::size_t kSphereParameters = 4;
 
-// Lays a sphere through points of the humeral head. Returns how well it fits.
+// Fits a sphere to points of the humeral head. Returns a text on how well it fits.
 std::string PutGhIntoHead(MeasuredLandmarks& measured) {
   FittedSphere sphere;
   try {

@@ -22,7 +22,7 @@ namespace girdle {
 namespace {
 
 constexpr std::size_t kFewestPoints = 4;
-// Gauss-Newton steps from the algebraic sphere; points measured on a head need about five.
+// Gauss-Newton steps from the algebraic sphere. Points measured on a head need about five.
 constexpr int kMostSteps = 50;
 constexpr double kSmallestStep_m = 1e-13;
 
@@ -32,8 +32,8 @@ Vector3 Mean_m(const std::vector<Vector3>& points_m) {
   return sum_m / static_cast<double>(points_m.size());
 }
 
-// The sphere with the least sum of (|p - c|^2 - r^2)^2: |p|^2 = 2 c p + (r^2 - |c|^2) is linear in
-// c and the bracket. p is counted from the points' mean.
+// Returns the centre of the sphere with the least sum of (|p - c|^2 - r^2)^2: the equation |p|^2 =
+// 2 c p + (r^2 - |c|^2) is linear in c and in the bracket. p is relative to the mean of the points.
 Vector3 AlgebraicCenter_m(const std::vector<Vector3>& points_m) {
   const Vector3 mean_m = Mean_m(points_m);
   const auto rows = static_cast<Eigen::Index>(points_m.size());
@@ -48,7 +48,8 @@ Vector3 AlgebraicCenter_m(const std::vector<Vector3>& points_m) {
   return mean_m + Vector3{solution[0], solution[1], solution[2]};
 }
 
-// Derivatives of r - |p - c| by c and r: directions from the centre to the points, and 1.
+// Returns the derivatives of r - |p - c| by c and r: directions from the centre to the points, and
+// 1.
 Eigen::MatrixX4d Jacobian(const std::vector<Vector3>& points_m, const Vector3& center_m) {
   Eigen::MatrixX4d J(static_cast<Eigen::Index>(points_m.size()), 4);
   for (std::size_t i = 0; i < points_m.size(); ++i) {
@@ -62,7 +63,7 @@ Eigen::MatrixX4d Jacobian(const std::vector<Vector3>& points_m, const Vector3& c
 
 Vector3 EstimatedGh_m(const Vector3& pc_m, const Vector3& ac_m, const Vector3& aa_m,
                       const Vector3& ts_m, const Vector3& ai_m) noexcept {
-  // ISB's z is the regression's x, and its x, which points backward in a left scapula, is -z.
+  // ISB's z is the regression's x. ISB's x points backward in a left scapula and is -z.
   const Quaternion q_AS = ScapulaFrame(ac_m, ts_m, ai_m);
   const auto in_scapula_mm = [&](const Vector3& point_m) {
     return kMillimetersPerMeter * (glm::conjugate(q_AS) * (point_m - ac_m));
@@ -136,7 +137,7 @@ FittedSphere SphereThrough(const std::vector<Vector3>& points_m) {
     const Eigen::VectorXd d = distances_m();
     const Eigen::Vector4d change =
         Jacobian(points_m, sphere.center_m).colPivHouseholderQr().solve(d);
-    // d = u . change + r: what is left of d but r moves the centre.
+    // d = u . change + r: the part of d without r moves the centre.
     const Vector3 move_m{change[0], change[1], change[2]};
     sphere.center_m += move_m;
     if (glm::length(move_m) < kSmallestStep_m) break;

@@ -20,7 +20,7 @@
 namespace girdle {
 namespace {
 
-// Landmarks of each segment and its origin.
+// Landmarks of one segment, and its origin.
 struct BoneLandmarks {
   Landmark origin;
   std::vector<Landmark> landmarks;
@@ -37,13 +37,13 @@ const std::array<BoneLandmarks, kSegmentCount>& Bones() {
   return kBones;
 }
 
-// Below this a bone's size is none: all its landmarks are one point.
+// A bone of less than this size has all its landmarks in one point.
 constexpr double kSmallestSize = 1e-6;
 
-// Mirror images that make the misfit this many times what it was show that they are the right ones.
+// If mirror images reduce the misfit to less than this share of it, they are the right places.
 constexpr double kMuchBetter = 0.5;
 
-// Beyond this, an epicondyle is farther from GH than any humerus is long.
+// An epicondyle is misplaced if it is this many times as far from GH as a humerus is long.
 constexpr double kTooLongHumerus = 1.25;
 
 const std::optional<PlacedLandmark>& At(const PlacedLandmarks& landmarks, std::size_t segment,
@@ -51,15 +51,15 @@ const std::optional<PlacedLandmark>& At(const PlacedLandmarks& landmarks, std::s
   return landmarks[segment][static_cast<std::size_t>(landmark)];
 }
 
-// Of a known landmark, in the frame of a segment that it belongs to.
+// Returns the place of a known landmark in the frame of a segment that it belongs to.
 Vector3 KnownPlace_m(std::size_t segment, Landmark landmark, const Anatomy& adult) {
   return landmark == Bones()[segment].origin ? Vector3{0, 0, 0} : adult.landmark_m(landmark);
 }
 
-// How one bone's known landmarks, or their mirror image, fit the measured ones.
+// The fit of one bone's known landmarks, or of their mirror image, to the measured ones.
 struct BoneFit {
   double misfit_m2 = 0;  // sum of squared distances, in the measured size
-  double size = 1;       // of the measured bone, that of the known one being 1
+  double size = 1;       // of the measured bone relative to the known one
   std::size_t count = 0;
 };
 struct BoneFits {
@@ -67,10 +67,10 @@ struct BoneFits {
   BoneFit left;
 };
 
-// Over turns R, sizes s and shifts, sum |b - s R a|^2 is least at tr(S)/A s with H = sum a b^T =
-// U S V^T about the centroids, A = sum |a|^2; the least singular value counts negative where the
-// best turn would mirror (Umeyama, IEEE Trans Pattern Anal Mach Intell 1991;13:376-380). The mirror
-// image of the known landmarks changes the sign of det H and no singular value.
+// Over rotations R, sizes s and shifts, sum |b - s R a|^2 is least at s = tr(S)/A. H = sum a b^T =
+// U S V^T is about the centroids, and A = sum |a|^2. The least singular value is negative if the
+// best turn would be a mirror (Umeyama, IEEE Trans Pattern Anal Mach Intell 1991;13:376-380). The
+// mirror image of the known landmarks changes the sign of det H but no singular value.
 BoneFits FitsOf(const PlacedLandmarks& landmarks, std::size_t segment, const Anatomy& adult) {
   std::vector<std::pair<Vector3, Vector3>> pairs;  // known and measured
   Vector3 known_mean_m{0, 0, 0};
@@ -116,7 +116,7 @@ AllFits FitsOf(const PlacedLandmarks& landmarks, const Anatomy& adult) {
 }
 
 struct Misfit {
-  double cost = 0;   // two times the negative logarithm of the likelihood, but for a constant
+  double cost = 0;   // minus twice the logarithm of the likelihood, without a constant
   double rms_m = 0;  // distance from the known places, in their size
   std::array<double, kSegmentCount> sizes{};
 };
@@ -154,13 +154,13 @@ Misfit MisfitOf(const AllFits& fits, Side thorax, Side scapula) {
 
 Misfit Better(const Misfit& a, const Misfit& b) { return b.cost < a.cost ? b : a; }
 
-// Of one person's shoulder, right or left.
+// Returns the misfit of a shoulder of one person, right or left.
 Misfit MisfitOfOneSide(const AllFits& fits) {
   return Better(MisfitOf(fits, Side::kRight, Side::kRight),
                 MisfitOf(fits, Side::kLeft, Side::kLeft));
 }
 
-// Also of bones that do not belong together, which is a flaw of another kind.
+// Returns the least misfit, also over bones of two sides, which are a flaw of another kind.
 Misfit MisfitOfAnySides(const AllFits& fits) {
   return Better(MisfitOfOneSide(fits), Better(MisfitOf(fits, Side::kRight, Side::kLeft),
                                               MisfitOf(fits, Side::kLeft, Side::kRight)));
@@ -172,8 +172,8 @@ bool IsTold(Landmark first, Landmark second) {
 
 bool HasRow(const std::optional<PlacedLandmark>& landmark) { return landmark && landmark->has_row; }
 
-// Exchanges two landmarks of one segment, or of all with kSegmentCount. Returns whether both are
-// there.
+// Exchanges two landmarks of one segment, or of all segments if `only` is kSegmentCount. Returns
+// whether both landmarks exist.
 bool Exchange(PlacedLandmarks& landmarks, std::size_t only, std::size_t first, std::size_t second) {
   if (only < kSegmentCount) {
     if (!HasRow(landmarks[only][first]) || !HasRow(landmarks[only][second])) return false;
@@ -193,7 +193,7 @@ bool Exchange(PlacedLandmarks& landmarks, std::size_t only, std::size_t first, s
   return true;
 }
 
-// Completes an exchange by the distance that it mends most.
+// Adds the distance that an exchange corrects most, as its evidence.
 void SetEvidence(const PlacedLandmarks& given, const PlacedLandmarks& mended,
                  const std::array<double, kSegmentCount>& sizes, const Anatomy& adult,
                  ExchangedLandmarks& exchange) {
@@ -227,7 +227,7 @@ void SetEvidence(const PlacedLandmarks& given, const PlacedLandmarks& mended,
   }
 }
 
-// Landmarks that stand all in one frame, seen from the median plane.
+// Landmarks that are all given in one frame, relative to the median plane.
 class InOneFrame {
  public:
   explicit InOneFrame(const PlacedLandmarks& landmarks) {
@@ -247,7 +247,7 @@ class InOneFrame {
   [[nodiscard]] const Vector3& at_m(Landmark landmark) const {
     return p_A_m_[static_cast<std::size_t>(landmark)];
   }
-  // Distance from the median plane to the right.
+  // Returns the distance of a landmark to the right of the median plane.
   [[nodiscard]] double Right_m(Landmark landmark) const {
     return glm::dot(at_m(landmark) - at_m(Landmark::kIJ), to_the_right_);
   }
@@ -261,14 +261,14 @@ class InOneFrame {
   Vector3 to_the_right_{0, 0, 0};
 };
 
-// Landmarks by their sides of the body.
+// Landmarks sorted by their sides of the body.
 struct Sorted {
   std::vector<Landmark> most;
   std::vector<Landmark> strays;
-  bool is_right = true;  // what most are
+  bool is_right = true;  // the side of most landmarks
 };
 
-// Whether the mirror image of an epicondyle makes a better humerus.
+// Whether the mirror image of an epicondyle gives a more likely humerus.
 bool IsStrayEpicondyle(const InOneFrame& body, Landmark epicondyle, bool is_right,
                        double length_m) {
   const Landmark shoulder = body.Knows(Landmark::kGH) ? Landmark::kGH : Landmark::kPAC;
@@ -284,7 +284,7 @@ Sorted SortedBySide(const PlacedLandmarks& landmarks, const InOneFrame& body,
   Sorted sorted;
   for (std::size_t i = 0; i < kLandmarkCount; ++i) {
     const auto landmark = static_cast<Landmark>(i);
-    // An arm can cross the median plane.
+    // Epicondyles are left out here, because an arm can cross the median plane.
     if (!body.Knows(landmark) || !kLandmarks[i].sided ||
         kLandmarks[i].segment == Segment::kHumerus) {
       continue;
@@ -304,7 +304,7 @@ Sorted SortedBySide(const PlacedLandmarks& landmarks, const InOneFrame& body,
   return sorted;
 }
 
-// With the strays' mirror images in their places.
+// Returns the landmarks with the mirror images of the strays in their places.
 PlacedLandmarks WithoutStrays(PlacedLandmarks landmarks, const Anatomy& adult) {
   const InOneFrame body(landmarks);
   for (const Landmark stray : SortedBySide(landmarks, body, adult).strays) {

@@ -15,7 +15,7 @@
 namespace girdle {
 namespace {
 
-// Calls `visit(command)` all over a domain, a degree apart.
+// Calls `visit(command)` over the whole domain, in steps of a degree.
 template <typename Visit>
 void ForEachCommand(const ArmRectangle& domain, const Visit& visit) {
   constexpr double kStep_rad = kRadiansPerDegree;

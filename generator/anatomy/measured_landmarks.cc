@@ -15,10 +15,10 @@
 namespace girdle {
 namespace {
 
-// A landmark serves two segments where one hangs on the other.
+// A landmark that belongs to two segments, because one hangs from the other.
 struct BoneOrigin {
   Landmark landmark;
-  Segment segment;  // whose origin it is
+  Segment segment;  // the segment whose origin it is
 };
 constexpr BoneOrigin kOrigins[] = {{Landmark::kSC, Segment::kClavicle},
                                    {Landmark::kPAC, Segment::kScapula},
@@ -30,7 +30,7 @@ constexpr std::string_view kAc = "AC";
 // Points of the humeral head are called HH1, HH2 and so on.
 constexpr std::string_view kHead = "HH";
 
-// The landmark that a row is of; AC is PAC.
+// Returns the landmark of a row; the name AC means PAC.
 std::optional<Landmark> LandmarkOfRow(std::string_view name) {
   return name == kAc ? Landmark::kPAC : FromName<Landmark>(name);
 }
@@ -167,8 +167,8 @@ Landmark MeasuredLandmarks::KnownLandmark(std::string_view name) const {
   return *landmark;
 }
 
-// Checks that a landmark, or a point of the humeral head, may stand in this frame, and that all
-// stand in the same kind.
+// Throws unless a landmark, or a point of the humeral head, may be given in this frame. Throws too
+// if it is given in another kind of frame than the rows before.
 void MeasuredLandmarks::TakeFrame(std::string_view name, std::optional<Landmark> landmark,
                                   std::string_view frame) {
   const std::string shown = landmark ? std::string(Name(*landmark)) : std::string(name);

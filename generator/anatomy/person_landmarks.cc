@@ -24,11 +24,11 @@
 namespace girdle {
 namespace {
 
-// A frame that is turned by less is the frame itself: some roundings of numbers of size one.
+// A frame that is turned by less counts as the frame itself: a few roundings of numbers near one.
 constexpr double kRounding_rad = 1e-12;
 
-// A humerus whose own frame is turned half round about its y, and hardly otherwise, has EM and EL
-// in each other's place; so near a given rotation no frame comes by chance (once in a thousand).
+// If a humerus's own frame is turned by half a turn about its y, and hardly otherwise, EM and EL
+// are exchanged. A frame comes so near to a given rotation by chance once in a thousand.
 constexpr double kNearHalfTurn_rad = 15 * kRadiansPerDegree;
 
 // A distance between two landmarks of one segment.
@@ -36,7 +36,7 @@ struct Bone {
   Landmark from;
   Landmark to;
   Segment segment;
-  // How many times as short and as long as an adult's a person's may be.
+  // A person's length may be this many times as short or as long as an adult's.
   double shorter = 3;
   double longer = 3;
 };
@@ -44,7 +44,7 @@ constexpr Bone kBones[] = {
     {Landmark::kIJ, Landmark::kPX, Segment::kThorax},
     {Landmark::kIJ, Landmark::kC7, Segment::kThorax},
     {Landmark::kC7, Landmark::kT8, Segment::kThorax},
-    // The joint lies beside IJ, so near that measuring counts.
+    // The joint is so near to IJ that errors of the measurement matter.
     {Landmark::kIJ, Landmark::kSC, Segment::kThorax, 10, 10},
     {Landmark::kSC, Landmark::kPAC, Segment::kClavicle},
     {Landmark::kPAC, Landmark::kTS, Segment::kScapula},
@@ -61,7 +61,7 @@ constexpr Bone kBones[] = {
 
 std::string LengthText(double length_m) { return SignificantText(length_m, 3) + " m"; }
 
-// What the unit of a length seems to be, if not meters.
+// Returns advice on the unit that a length seems to have, if not meters.
 std::string UnitAdvice(double times_adult) {
   constexpr double kCentimeters = 30;
   constexpr double kMillimeters = 300;
@@ -75,13 +75,13 @@ std::string UnitAdvice(double times_adult) {
 
 double AdultLength_m(const Bone& bone, const Anatomy& adult) {
   const auto position = [&](Landmark landmark) {
-    // An origin is 0 0 0 of its segment; so is IJ.
+    // The origin of a segment is 0 0 0 in it, and so is IJ in the thorax.
     return SegmentFrom(landmark) == bone.segment ? Vector3{0, 0, 0} : adult.landmark_m(landmark);
   };
   return glm::distance(position(bone.from), position(bone.to));
 }
 
-// Refuses distances between landmarks that no person has.
+// Throws if a distance between landmarks is outside the range of people.
 void CheckLengths(const MeasuredLandmarks& measured, const Anatomy& adult) {
   for (const Bone& bone : kBones) {
     if (!measured.Has(bone.from) || !measured.Has(bone.to)) {
@@ -107,7 +107,7 @@ void CheckLengths(const MeasuredLandmarks& measured, const Anatomy& adult) {
   }
 }
 
-// Positions of landmarks in the frame of one segment that the file uses.
+// Returns positions of landmarks in the frame that the file uses for one segment.
 LandmarkPositions PositionsIn(const MeasuredLandmarks& measured, Segment segment) {
   LandmarkPositions p_A_m{};
   for (std::size_t i = 0; i < kLandmarkCount; ++i) {
@@ -116,8 +116,9 @@ LandmarkPositions PositionsIn(const MeasuredLandmarks& measured, Segment segment
   return p_A_m;
 }
 
-// The segments' frames in the frames that the file uses. That of the clavicle is the file's own
-// where no thorax stands in the same frame: only its length is used, which no frame changes.
+// Returns the segments' frames in the frames that the file uses. If no thorax is given in the frame
+// of the clavicle, the clavicle's frame is the file's own: only its length is used, which no frame
+// changes.
 BoneFrames FramesOf(const MeasuredLandmarks& measured) {
   if (measured.is_lab()) {
     return BoneFramesOf(PositionsIn(measured, Segment::kThorax));
@@ -133,8 +134,8 @@ BoneFrames FramesOf(const MeasuredLandmarks& measured) {
   return frames;
 }
 
-// Refuses landmarks that are not those of a right shoulder. What stands in the file's frames beside
-// them is to be mirrored with them.
+// Throws unless the landmarks are those of a right shoulder. A mesh in the frames of the file must
+// be mirrored with them.
 void CheckShape(const MeasuredLandmarks& measured, const std::string& mesh_file) {
   const auto at = [&](Segment segment, Landmark landmark) {
     return measured.In_m(segment, landmark);
@@ -162,7 +163,7 @@ void CheckShape(const MeasuredLandmarks& measured, const std::string& mesh_file)
   }
 }
 
-// Refuses two landmarks that bear each other's names.
+// Throws if two landmarks have each other's names.
 void CheckNames(const MeasuredLandmarks& measured, const Anatomy& adult) {
   const std::optional<ExchangedLandmarks> exchange =
       ExchangeIn(measured.Places(), measured.is_lab(), adult);
@@ -186,7 +187,7 @@ void CheckNames(const MeasuredLandmarks& measured, const Anatomy& adult) {
                     " again if they are right");
 }
 
-// Refuses landmarks of both sides of the body.
+// Throws if landmarks are from both sides of the body.
 void CheckSides(const MeasuredLandmarks& measured, const Anatomy& adult) {
   if (!measured.is_lab()) {
     return;
@@ -201,7 +202,7 @@ void CheckSides(const MeasuredLandmarks& measured, const Anatomy& adult) {
   }
 }
 
-// Refuses a humerus whose epicondyles seem to have each other's place.
+// Throws if the epicondyles of a humerus seem to be exchanged.
 void CheckEpicondyles(const MeasuredLandmarks& measured, const BoneFrames& frames) {
   const auto q_AB = [&](Segment segment) { return frames.q_AB[static_cast<std::size_t>(segment)]; };
   if (measured.is_lab()) {
@@ -217,7 +218,7 @@ void CheckEpicondyles(const MeasuredLandmarks& measured, const BoneFrames& frame
   }
 }
 
-// Landmarks of the file, each in the ISB frame of its segment; the others stay.
+// Expresses the landmarks of the file in the ISB frames of their segments. Other landmarks stay.
 void ExpressInSegments(const MeasuredLandmarks& measured, const BoneFrames& frames,
                        Anatomy& anatomy) {
   for (std::size_t i = 0; i < kLandmarkCount; ++i) {
@@ -238,7 +239,7 @@ void ExpressInSegments(const MeasuredLandmarks& measured, const BoneFrames& fram
   pac_m = {0, 0, glm::length(pac_m)};
 }
 
-// A file whose landmarks are right, with what follows from them.
+// The landmarks of a file after all checks, with the frames that follow from them.
 class CheckedLandmarks {
  public:
   CheckedLandmarks(std::istream& in, const std::string& name, const Anatomy& adult,

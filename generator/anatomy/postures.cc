@@ -48,8 +48,8 @@ Posture ReadPosture(std::istream& in, const std::string& name, const std::string
 }
 
 ShoulderPose HangingIn(const Posture& posture, const ShoulderRhythm& rhythm) noexcept {
-  // Where the rhythm does not go down to 0, its lowest arm let down: what is left is the turn about
-  // the long axis.
+  // If the rhythm does not go down to 0, its lowest arm is lowered to hanging, and keeps its turn
+  // about the long axis only.
   const Quaternion lowest = rhythm.SolvePose({}).q_TH();
   const double half_rad = std::atan2(lowest.y, lowest.w);
   const Quaternion q_TH{std::cos(half_rad), 0, std::sin(half_rad), 0};

@@ -13,7 +13,7 @@
 namespace girdle {
 namespace {
 
-// From the status that waitpid gives.
+// Returns the end that a status of waitpid means.
 ChildEnd EndOf(int status) noexcept {
   return WIFSIGNALED(status) ? ChildEnd{true, WTERMSIG(status)}
                              : ChildEnd{false, WEXITSTATUS(status)};

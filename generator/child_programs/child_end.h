@@ -15,27 +15,27 @@ namespace girdle {
 /// How a process ended.
 struct ChildEnd {
   bool by_signal = false;
-  int number = 0;  ///< of the signal, or else the exit status
+  int number = 0;  ///< number of the signal if a signal ended it, else the exit status
 
   [[nodiscard]] bool is_fine() const noexcept { return !by_signal && number == 0; }
-  /// Says it, with the process as what is spoken of: `ended with status 3`, `was ended by a signal:
-  /// Killed`. Empty if it is fine.
+  /// Returns a predicate whose subject is the process: `ended with status 3`, `was ended by a
+  /// signal: Killed`. Empty if the process ended with status 0.
   [[nodiscard]] std::string text() const;
 };
 
-/// Makes the system tell this process how its children end: it does not if whoever started this
-/// process had SIGCHLD ignored.
+/// Makes the system report how children of this process end. The system does not if this process
+/// was started with SIGCHLD ignored.
 void HearHowChildrenEnd() noexcept;
 
-/// Waits for a child's end. One that somebody else has waited for counts as a program that could
-/// not be run.
+/// Waits for a child's end. If its end was already waited for elsewhere, it counts as a program
+/// that cannot be run.
 [[nodiscard]] ChildEnd WaitForEnd(pid_t child) noexcept;
 
-/// Waits no longer than that; returns nothing if the child still runs.
+/// Waits at most that long; returns nothing if the child still runs.
 [[nodiscard]] std::optional<ChildEnd> WaitForEnd(pid_t child,
                                                  std::chrono::milliseconds longest) noexcept;
 
-/// What shells end with if they cannot run a program.
+/// Exit status of shells that cannot run a program.
 inline constexpr int kCannotRun = 127;
 
 }  // namespace girdle

@@ -30,11 +30,11 @@ namespace girdle {
 namespace {
 
 constexpr int kThrew = 3;
-// What shells add to a signal's number.
+// Shells report a signal as this number plus the signal's.
 constexpr int kSignalled = 128;
-// Bytes; more than any answer takes.
+// Limit in bytes, above the size of any answer.
 constexpr std::size_t kMostOutput = 1 << 20;
-// How often a child is looked at that writes nothing.
+// Pause between two checks of a child that writes nothing.
 constexpr int kPause_ms = 5;
 // Killed processes are gone in milliseconds, unless the kernel waits for a device.
 constexpr std::chrono::seconds kLongestEnd(2);
@@ -55,7 +55,7 @@ void WriteAll(int file, std::string_view text) {
 [[noreturn]] void BeChild(int out, const Work& work) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   const int nowhere = open("/dev/null", O_RDWR | O_CLOEXEC);
-  if (nowhere >= 0) {  // a root without /dev has none
+  if (nowhere >= 0) {  // a root without /dev has no such file
     dup2(nowhere, STDIN_FILENO);
     dup2(nowhere, STDERR_FILENO);
   }
@@ -68,10 +68,10 @@ void WriteAll(int file, std::string_view text) {
   } catch (...) {
     _exit(kThrew);
   }
-  _exit(0);  // without what the parent left to do at its exit
+  _exit(0);  // the parent's exit handlers must not run here
 }
 
-// Even if who started this process has the signal blocked or ignored.
+// Ends this process by the signal, even if the signal was blocked or ignored when it started.
 [[noreturn]] void EndBy(int signal) {
   sigset_t none;
   sigemptyset(&none);
@@ -81,7 +81,8 @@ void WriteAll(int file, std::string_view text) {
   _exit(kSignalled + signal);
 }
 
-// Starts the child and ends as it ends, or by SIGRTMAX, which nothing else sends, if it cannot.
+// Starts the child and ends in the way that the child ends. If the child cannot be started, ends by
+// SIGRTMAX, which nothing else sends.
 [[noreturn]] void BeParent(int out, const Work& work) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   setsid();  // a group to kill at once, without a terminal
@@ -101,13 +102,13 @@ void WriteAll(int file, std::string_view text) {
   _exit(end.number);
 }
 
-// This process has one thread, whose number is that of the process.
+// Returns the children of this process, which has one thread, with the number of the process.
 std::set<pid_t> ChildrenOfThisProcess() {
   std::ifstream in("/proc/self/task/" + std::to_string(getpid()) + "/children");
   return {std::istream_iterator<pid_t>(in), {}};
 }
 
-// The sessions of all processes. A process can leave its session for a new one only.
+// Returns the sessions of all processes. A process can leave its session only for a new one.
 std::set<pid_t> Sessions() {
   std::set<pid_t> sessions;
   std::error_code error;
@@ -120,8 +121,8 @@ std::set<pid_t> Sessions() {
   return sessions;
 }
 
-// Kills the group, and all children but those in a session of `earlier`. A killed process leaves
-// its own children to this one.
+// Kills the group, and all children except those in a session of `earlier`. Children of a killed
+// process become children of this one.
 void KillAll(pid_t group, const std::set<pid_t>& earlier) {
   kill(-group, SIGKILL);
   const Clock::time_point end = Clock::now() + kLongestEnd;
@@ -138,7 +139,7 @@ void KillAll(pid_t group, const std::set<pid_t>& earlier) {
   }
 }
 
-// Adds what can be read without waiting, up to a little more than the limit.
+// Appends the bytes that can be read without waiting, up to a little more than the limit.
 void ReadReady(int file, std::string& text) {
   std::array<char, 4096> buffer{};
   while (text.size() <= kMostOutput) {
@@ -179,7 +180,8 @@ ChildResult RunInChild(const Work& work, int limit_s) {
     pollfd waiting{ours.get(), POLLIN, 0};
     poll(&waiting, 1, kPause_ms);
     siginfo_t ended{};
-    // It stays a zombie, so that its number stands for its group until that is killed.
+    // The process stays a zombie, so that its number still means its group until the group is
+    // killed.
     waitid(P_PID, static_cast<id_t>(parent), &ended, WEXITED | WNOHANG | WNOWAIT);
     ReadReady(ours.get(), result.output);
     if (ended.si_pid != 0) {

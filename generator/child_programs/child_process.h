@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// Work in a process of its own, which may crash, hang or be hostile without harm to this one.
+/// Work in a child process, which may crash, hang or be hostile without harm to this process.
 #pragma once
 
 #include <filesystem>
@@ -12,29 +12,29 @@
 
 namespace girdle {
 
-/// What a child left.
+/// Output and end of a child.
 struct ChildResult {
-  std::string output;    ///< what it wrote, to its end or to its crash
-  std::string failure;   ///< empty if it ended with status 0, else how it ended
-  bool is_late = false;  ///< ended because its time was over
+  std::string output;    ///< its output up to its end or its crash
+  std::string failure;   ///< how it ended; empty if it ended with status 0
+  bool is_late = false;  ///< whether it was ended because its time was over
 };
 
-/// Runs `work` in a copy of this process, gives it a function that writes to `output`, and waits
-/// for it, `limit_s` seconds at most, and up to 2 s more until it is gone.
+/// Runs `work` in a copy of this process and gives it a function that writes to `output`. Waits for
+/// its end at most `limit_s` seconds, and up to 2 s more until its processes are gone.
 ///
-/// The child's current folder is `/`. Its standard output goes to `output` as well, its standard
-/// error nowhere, and its standard input is empty. It is ended when the time is over or when it has
-/// written more than a megabyte. All processes that it started end with it, also those with a
-/// session of their own. Processes in sessions that were there before are left alone. The child's
+/// The child's current folder is `/`. Its standard output goes to `output` too, its standard error
+/// is discarded, and its standard input is empty. It is ended when its time is over or when it has
+/// written more than a megabyte. All processes that it started end with it, including those in a
+/// session of their own. Processes in sessions that existed before are not ended. The child's
 /// parent is a process between this one and the child: a child that kills its parent ends itself.
 ///
-/// To be called while this process has one thread. This process becomes the parent of the orphans
+/// Call this only while this process has one thread. This process becomes the parent of the orphans
 /// among its descendants (PR_SET_CHILD_SUBREAPER). Throws InputError if no process can be made.
 [[nodiscard]] ChildResult RunInChild(
     const std::function<void(const std::function<void(std::string_view)>& write)>& work,
     int limit_s);
 
-/// Runs a program in such a child. A program that cannot be run ends with kCannotRun.
+/// Runs a program in a child as RunInChild does. A program that cannot be run ends with kCannotRun.
 [[nodiscard]] ChildResult RunProgramInChild(const std::filesystem::path& program,
                                             std::vector<std::string> arguments, int limit_s);
 

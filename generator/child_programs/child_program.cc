@@ -25,14 +25,14 @@ namespace {
                    std::string(std::strerror(error)));
 }
 
-// Descriptors of this process that a program has as its own 0 to kExtraDescriptor; -1 for
-// /dev/null, and for the last one for none.
+// Descriptors of this process that become the program's 0 to kExtraDescriptor. -1 means /dev/null;
+// for the last one it means none.
 using OwnFiles = std::array<int, kExtraDescriptor + 1>;
 
 pid_t Spawn(const std::filesystem::path& program, std::vector<std::string> arguments,
             const OwnFiles& files) {
-  // Copies above all targets, so that none is overwritten before it is in place. The program's own
-  // copies are closed as it starts.
+  // The copies have numbers above all targets, so that none is overwritten before it is in place.
+  // They are closed when the program starts.
   std::array<Descriptor, std::tuple_size_v<OwnFiles>> sources;
   for (std::size_t i = 0; i < files.size(); ++i) {
     if (files[i] >= 0) {
@@ -74,8 +74,8 @@ ChildProgram::ChildProgram(const std::filesystem::path& program, std::vector<std
                            const ProgramFiles& files)
     : errors_("errors") {
   HearHowChildrenEnd();
-  // A socket in place of a pipe: writing to one whose reader is gone can be told not to raise
-  // SIGPIPE.
+  // A socket is used in place of a pipe, because a write to a socket without a reader can be made
+  // not to raise SIGPIPE.
   std::array<int, 2> ends{};
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
     FailStarting(program, errno);

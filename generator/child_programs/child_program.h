@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// A program that runs beside this process and is fed through its standard input.
+/// A program that runs beside this process and receives data through its standard input.
 ///
-/// For work whose result is waited for, which may crash, hang or be hostile, there is
-/// child_process.h.
+/// Use child_process.h for work whose result is waited for and which may crash, hang or be hostile.
 #pragma once
 
 #include <sys/types.h>
@@ -23,17 +22,17 @@
 
 namespace girdle {
 
-/// Number that ProgramFiles::extra has in the program.
+/// Descriptor of ProgramFiles::extra in the program.
 inline constexpr int kExtraDescriptor = 3;
 
-/// Open files of this process that a program gets. Its standard input and error are those of
-/// ChildProgram.
+/// Open files of this process that a program receives. ChildProgram sets its standard input and
+/// standard error.
 struct ProgramFiles {
-  int output = -1;  ///< its standard output; -1: goes nowhere
-  int extra = -1;   ///< its kExtraDescriptor; -1: it has none
+  int output = -1;  ///< its standard output; -1 discards it
+  int extra = -1;   ///< its kExtraDescriptor; -1 for none
 };
 
-/// The program is ended with this object. May be used while this process has several threads.
+/// A running program. The destructor ends it. May be used while this process has several threads.
 class ChildProgram {
  public:
   /// Starts `program` with `arguments` and this process's environment. Throws InputError if it
@@ -44,29 +43,29 @@ class ChildProgram {
   ChildProgram& operator=(const ChildProgram&) = delete;
   ~ChildProgram();
 
-  /// Hands bytes to its standard input and returns whether it took them all: false if it reads no
-  /// more. No signal comes of that.
+  /// Writes bytes to the program's standard input. Returns false if the program no longer reads its
+  /// input. No signal is raised in that case.
   [[nodiscard]] bool Write(std::span<const std::uint8_t> bytes) noexcept;
 
-  /// Tells it that its input ends.
+  /// Closes the program's standard input.
   void EndInput() noexcept { input_.Close(); }
 
-  /// Waits for its end, which does not come before that of its input for many programs. To be
-  /// called once.
+  /// Waits for the program's end. Many programs do not end before their input does: call EndInput
+  /// first. Call this at most once.
   [[nodiscard]] ChildEnd Wait() noexcept;
 
-  /// Waits no longer than that; returns nothing if it still runs.
+  /// Waits at most that long; returns nothing if the program still runs.
   [[nodiscard]] std::optional<ChildEnd> Wait(std::chrono::milliseconds longest) noexcept;
 
-  /// Ends it, if it has not ended.
+  /// Ends the program if it still runs.
   void End() noexcept;
 
-  /// What it has written to its standard error.
+  /// Returns the text that the program has written to its standard error.
   [[nodiscard]] std::string Errors() const { return errors_.Content(); }
 
  private:
   MemoryFile errors_;
-  Descriptor input_;  ///< our end
+  Descriptor input_;  ///< the end that this process writes to
   pid_t child_ = -1;  ///< -1 after its end
 };
 

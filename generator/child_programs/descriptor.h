@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// A file descriptor that is closed with its scope.
+/// A file descriptor that the destructor closes.
 #pragma once
 
 #include <unistd.h>
@@ -24,7 +24,7 @@ class Descriptor {
   }
   ~Descriptor() { Close(); }
 
-  /// The number, or -1 for none.
+  /// Returns the descriptor's number, or -1 for none.
   [[nodiscard]] int get() const noexcept { return number_; }
   void Close() noexcept {
     if (number_ >= 0) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// A file that is in memory alone, for what a program writes.
+/// A file in memory that receives the output of a program.
 #pragma once
 
 #include <string>
@@ -12,12 +12,12 @@ namespace girdle {
 
 class MemoryFile {
  public:
-  /// `name` is for whoever looks at the open files of this process. Throws InputError if there is
-  /// no room for another file.
+  /// `name` appears in the list of this process's open files. Throws InputError if the system
+  /// allows no further file.
   explicit MemoryFile(const char* name);
 
   [[nodiscard]] int descriptor() const noexcept { return file_.get(); }
-  /// Returns all that is in it.
+  /// Returns the whole content.
   [[nodiscard]] std::string Content() const;
 
  private:

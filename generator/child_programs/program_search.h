@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// Where programs are.
+/// Search for programs.
 #pragma once
 
 #include <filesystem>
@@ -10,14 +10,14 @@
 
 namespace girdle {
 
-/// Returns the folders of a list such as PATH in the environment, without those that depend on the
-/// current folder.
+/// Returns the folders in an environment variable that holds a list, such as PATH. Folders that are
+/// relative to the current folder are left out.
 [[nodiscard]] std::vector<std::filesystem::path> FoldersOf(const char* variable);
 
-/// Returns whether a file is there that this process may run.
+/// Returns whether `file` exists and this process may run it.
 [[nodiscard]] bool IsProgram(const std::filesystem::path& file);
 
-/// Returns where PATH has a program of this name, or an empty path.
+/// Returns the path of a program of this name in the folders of PATH; empty if there is none.
 [[nodiscard]] std::filesystem::path FindProgram(const std::string& name);
 
 }  // namespace girdle

@@ -69,7 +69,7 @@ void FitGlidingOrSay(Anatomy& anatomy) {
   }
 }
 
-// The ellipsoids of a file, or one fitted to bones of other proportions.
+// Sets the ellipsoids of the file, or fits one to bones of other proportions.
 void ChooseThorax(const AnatomyArguments& arguments, Anatomy& anatomy) {
   if (!anatomy.has_adult_proportions) {
     FitLigaments(anatomy);

@@ -22,21 +22,24 @@ struct AnatomyArguments {
 
 void AddAnatomyArguments(CLI::App& verb, AnatomyArguments& arguments);
 
-/// Returns the anatomy chosen: that of the file or the built-in one in the size that the measures
-/// say. The scapula of bones of other proportions glides on an ellipsoid fitted to them under the
-/// built-in rhythm, or on that of the `--ellipsoids` file. With a file of landmarks, lengths are
-/// its own, and of stature the height above the floor is taken; if GH is not among its rows,
-/// standard error says how it was found. Throws InputError for a file that is not of a right
-/// shoulder, a measure that nobody has, and a length beside a file of landmarks.
+/// Returns the chosen anatomy: that of the file, or the built-in one scaled to the body measures.
+///
+/// With `--ellipsoids`, the scapula glides on the ellipsoid of that file. Otherwise, for bones of
+/// other proportions than the built-in ones, an ellipsoid is fitted under the built-in rhythm. A
+/// file of landmarks sets the lengths itself; of the measure of stature only the height above the
+/// floor is used with it. If GH is not among its rows, a line on standard error tells how GH was
+/// found.
+///
+/// Throws InputError for a file that is not of a right shoulder, for a measure outside the range of
+/// people, and for a length that is given beside a file of landmarks.
 [[nodiscard]] Anatomy ChosenAnatomy(const AnatomyArguments& arguments);
 
-/// Says on standard error how GH was found, and how well, if no row of the file of landmarks gives
-/// it.
+/// Prints on standard error how GH was found, and how well, if no row of the file of landmarks
+/// gives it.
 void SayHowGhWasFound(const std::string& file, const Anatomy& anatomy);
 
-/// Gives bones of other proportions the ligaments and the gliding ellipsoid that belong to them
-/// under the built-in rhythm. Throws InputError
-/// if the scapula glides on no ellipsoid.
+/// Fits ligaments and the gliding ellipsoid under the built-in rhythm to bones of other
+/// proportions. Throws InputError if the scapula glides on no ellipsoid.
 void FitTissues(Anatomy& anatomy);
 
 /// Returns whether any of the options was given.

@@ -12,7 +12,7 @@
 namespace girdle {
 namespace {
 
-// What `read` makes of the number that was typed; its objection becomes one to the option.
+// Returns the angle that `read` gives for the typed number. An error of `read` names the option.
 template <typename Reading>
 double AngleOf(const std::string& option, const std::string& text, const Reading& read) {
   const double typed_deg = NumberArgument(option, text);

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// Angles of the arm given on the command line, and options that say how angles are to be read.
+/// Angles of the arm given on the command line, and options for the unit and the convention of
+/// angles.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -22,11 +23,12 @@ void AddConventionArgument(CLI::App& verb, AngleArguments& arguments);
 /// `--angles`, for verbs that read files.
 void AddUnitArgument(CLI::App& verb, AngleArguments& arguments);
 
-/// Returns how angles are to be read. Throws InputError for an unknown word.
+/// Returns the unit and the convention that the options choose. Throws InputError for an unknown
+/// word.
 [[nodiscard]] AngleReading ReadingFrom(const AngleArguments& arguments);
 
-/// Returns what axial turns are counted from: what `--axial-from` says, else ISB's zero with
-/// `--convention isb`, else nothing. Throws InputError for an unknown word.
+/// Returns the zero that axial turns are counted from: the one of `--axial-from`, else ISB's zero
+/// with `--convention isb`, else nothing. Throws InputError for an unknown word.
 [[nodiscard]] std::optional<AxialFrom> AxialFromOf(const std::string& axial_from,
                                                    const AngleArguments& arguments);
 

@@ -71,7 +71,7 @@ std::vector<double> SweepValues_deg(const SweptAngle& angle, const std::string& 
   if (steps >= static_cast<double>(most)) {
     Fail(angle, text, "more than " + std::to_string(most) + " positions. Give a larger step");
   }
-  // Of a step: decimals such as 0.1 are not exact.
+  // Largest rounding error, in steps: decimals such as 0.1 are not exact.
   constexpr double kWholeSteps = 1e-6;
   if (std::abs(steps - std::round(steps)) > kWholeSteps) {
     Fail(angle, text,
@@ -83,7 +83,7 @@ std::vector<double> SweepValues_deg(const SweptAngle& angle, const std::string& 
   std::vector<double> values_deg;
   values_deg.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
-    // As typed, so that values that stand in the table are met exactly.
+    // Rounding gives the decimals as typed, so that values of the table are met exactly.
     constexpr int kDecimals = 9;
     const double value_deg = from_deg + static_cast<double>(i) * step_deg;
     values_deg.push_back(*FiniteNumber(RoundedText(value_deg, kDecimals)));

@@ -17,7 +17,7 @@ struct SweptAngle {
   std::string_view example;  ///< for messages
   double lower_deg;
   double upper_deg;
-  std::string_view because = {};  ///< for messages: why the bounds are these
+  std::string_view because = {};  ///< for messages: the reason for the bounds
 };
 
 /// The elevations and planes of a map of all that an arm can reach, from somewhat behind the

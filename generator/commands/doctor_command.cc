@@ -43,10 +43,10 @@ struct DoctorArguments {
   bool uninstall = false;
 };
 
-// How the name of a copy ends that is not in its place yet. Python passes over such a file.
+// Suffix of a copy that is not in its place yet. Python ignores such a file.
 constexpr const char* kPart = ".part";
 
-// The folder of Girdle's sources that the program lies in, as scripts/run leaves it.
+// Returns the folder of Girdle's sources that the program lies in, where scripts/run builds it.
 fs::path Checkout() {
   std::error_code error;
   const fs::path folder = ProgramFolder().parent_path().parent_path();
@@ -56,7 +56,7 @@ fs::path Checkout() {
              : fs::path();
 }
 
-// Empty if the program has none.
+// Returns the plugin, or an empty path if the program has none.
 fs::path Plugin(const DoctorArguments& arguments) {
   fs::path plugin = fs::absolute(ChosenPlugin(arguments.plugin));
   if (std::error_code error; fs::is_regular_file(plugin, error)) {
@@ -130,7 +130,7 @@ Diagnosis Examine(const DoctorArguments& arguments) {
   return diagnosis;
 }
 
-// The folder of Python's package mujoco that --install and --uninstall mean.
+// Returns the folder of Python's package mujoco for --install and --uninstall.
 fs::path ChosenPackage(const DoctorArguments& arguments) {
   if (!arguments.engines.empty()) {
     const std::vector<FoundEngine> engines = FindEngines(NamedPlaces(arguments));
@@ -161,10 +161,10 @@ fs::path ChosenPackage(const DoctorArguments& arguments) {
   return package;
 }
 
-// Whether another user may do what failed for this reason.
+// Whether an error means that another user may have the right to do this.
 bool NeedsRights(int failure) { return failure == EACCES || failure == EPERM; }
 
-// Removes what an install that was interrupted left beside the copy.
+// Removes the parts beside the copy that an interrupted install left.
 void RemoveParts(const fs::path& copy) {
   std::error_code error;
   for (fs::directory_iterator entry(copy.parent_path(), error), end; !error && entry != end;
@@ -176,7 +176,7 @@ void RemoveParts(const fs::path& copy) {
   }
 }
 
-// The one MuJoCo of Python's package.
+// Returns the single MuJoCo of Python's package.
 FoundEngine EngineOf(const fs::path& package) {
   const std::vector<FoundEngine> engines = FindEngines({{package, ""}});
   std::error_code error;
@@ -188,8 +188,9 @@ FoundEngine EngineOf(const fs::path& package) {
   return engines.front();
 }
 
-// Puts a copy of the plugin where it is to be, all of it at once, if it works there. Throws what
-// `attempt` throws, and returns what the system refuses; neither leaves a part of a copy.
+// Puts a copy of the plugin into its place in one step, if the copy works there. Throws the
+// exceptions of `attempt`; returns the error of the file system. In both cases no part of a copy
+// remains.
 std::error_code CopyTried(const fs::path& plugin, const fs::path& copy,
                           const std::function<void(const fs::path&)>& attempt) {
   std::error_code error;

@@ -20,7 +20,7 @@ constexpr const char* kWhatToReport =
     "Please report it with this message, the command line, the files that it reads and the "
     "version, girdle " GIRDLE_VERSION ".\n";
 
-// Type of an exception as C++ has it.
+// Prints the type of an exception under its name in C++.
 void PrintType(const std::exception& exception, std::ostream& out) {
   const char* const mangled = typeid(exception).name();
   int status = 0;
@@ -32,7 +32,7 @@ void PrintType(const std::exception& exception, std::ostream& out) {
 }  // namespace
 
 int ReportException(const std::exception_ptr& exception, std::ostream& out) {
-  // Pieces go out one by one: putting them together takes memory, which may be what is missing.
+  // Pieces are written one by one: joining them needs memory, which may be exhausted.
   out << "girdle: ";
   try {
     std::rethrow_exception(exception);

@@ -14,14 +14,14 @@ inline constexpr int kFine = 0;
 inline constexpr int kAboveTolerance = 1;  ///< a residual or a check; its report is printed
 inline constexpr int kBadInput = 2;        ///< or bad usage, or an output that cannot be written
 inline constexpr int kFaultOfGirdle = 3;   ///< nothing that the user gave is to blame
-inline constexpr int kOutOfMemory = 4;     ///< Girdle's or MuJoCo's: the same may work elsewhere
+inline constexpr int kOutOfMemory = 4;     ///< Girdle's or MuJoCo's; more memory may help
 
-/// Says on `out` what an exception that ends the program is about, and returns the exit status.
+/// Writes to `out` what an exception that ends the program means, and returns the exit status.
 ///
-/// InputError is about what the user gave, and so is std::filesystem::filesystem_error, which names
-/// a path that the system refuses. Memory that is used up is neither the input's fault nor
-/// Girdle's. Every other exception is a fault of Girdle: its type is printed with its message, and
-/// what to report. Precondition: `exception` is not null.
+/// InputError is the user's to mend. std::filesystem::filesystem_error is too: it names a path that
+/// the system refuses. If memory is used up, neither the input nor Girdle is at fault. Every other
+/// exception is a fault of Girdle; its type and message are printed, and a line on what to report.
+/// Precondition: `exception` is not null.
 [[nodiscard]] int ReportException(const std::exception_ptr& exception, std::ostream& out);
 
 }  // namespace girdle

@@ -37,13 +37,13 @@ struct FitThoraxArguments {
   bool json = false;
 };
 
-// An ellipsoid and how far TS and AI are from it.
+// An ellipsoid and the distances of TS and AI from it.
 struct ReportedEllipsoid {
   std::string name;
   Ellipsoid ellipsoid;
   std::array<GlidingDistance, kGlidingLandmarks.size()> distances;
 
-  // Of both landmarks, each with as many positions.
+  // Returns the rms distance of both landmarks, which have equally many positions.
   [[nodiscard]] double rms_m() const {
     return std::sqrt(
         (distances[0].rms_m * distances[0].rms_m + distances[1].rms_m * distances[1].rms_m) / 2);
@@ -55,10 +55,10 @@ struct ThoraxReport {
   std::size_t position_count;
   Ellipsoid deviation;
   ReportedEllipsoid fitted;
-  ReportedEllipsoid given;  // the anatomy's own
+  ReportedEllipsoid given;  // the ellipsoid that the anatomy came with
 };
 
-// What a file holds.
+// Returns the ellipsoid with its numbers rounded as in the file.
 Ellipsoid Rounded(const Ellipsoid& ellipsoid) {
   return {RoundedPlace_m(ellipsoid.center_m), RoundedPlace_m(ellipsoid.radii_m)};
 }
@@ -81,7 +81,7 @@ ThoraxReport ReportOn(const Anatomy& anatomy, const RhythmTable& table, const st
           {"the anatomy's", anatomy.gliding, MeasureGliding(anatomy.gliding, anatomy, table)}};
 }
 
-// With all its decimals, so that they stand below each other.
+// Returns a length with all its decimals, so that lengths align in a column.
 std::string MillimetersText(double length_m, int decimals) {
   std::string text = RoundedText(kMillimetersPerMeter * length_m, decimals);
   if (text.find('.') == std::string::npos) {
@@ -91,7 +91,7 @@ std::string MillimetersText(double length_m, int decimals) {
   return text + std::string(static_cast<std::size_t>(decimals) - shown, '0');
 }
 
-// The table is named as it was typed: another folder's file of the same name is another table.
+// The table is named as typed, because a file of the same name in another folder is another table.
 std::vector<std::string> Provenance(const ThoraxReport& report) {
   std::string distances;
   for (const GlidingDistance& distance : report.fitted.distances) {

@@ -96,8 +96,8 @@ std::string ModelXml(const ResolvedRhythm& resolved, const Anatomy& anatomy,
   }
 }
 
-// What MuJoCo found in the model, or why it was not asked. Throws InputError if it does not accept
-// it.
+// Returns a line on what MuJoCo found in the model, or on why MuJoCo was not run. Throws InputError
+// if MuJoCo does not accept the model.
 std::string CheckedByMujoco(const std::vector<std::pair<std::string, std::string>>& files,
                             const std::string& plugin) {
   if (!HasSimulation()) {
@@ -112,7 +112,7 @@ std::string CheckedByMujoco(const std::vector<std::pair<std::string, std::string
   return simulation->check_model(files, plugin);
 }
 
-// Variants of one family have a place beside each other in a folder.
+// File names of one model. They differ between variants, so that variants can share a folder.
 struct FileNames {
   std::string model;
   std::string scene;
@@ -123,14 +123,14 @@ FileNames NamesFor(const ShoulderModelOptions& options) {
   const std::string side(Name(options.sides));
   const std::string servos = options.actuation == Actuation::kPosition ? "_position" : "";
   const std::string model = "shoulder_" + side + servos;
-  // A skin bears its model's name: nothing but the model itself, made anew, ever replaces it.
+  // The skin has its model's name, so that only a newer version of this model replaces it.
   return {model + ".xml",
           "scene" + (options.sides == Sides::kRight ? "" : "_" + side) + servos + ".xml",
           model + ".skn", "landmarks_" + side + ".csv"};
 }
 
-// The landmarks of a body that brought its own bones, for whoever wants to verify the model.
-// Without the name of the skin's file: the same body gives the same bytes wherever it lies.
+// Returns the landmarks of a body with its own bones, as a file to verify the model with. The name
+// of the skin's file is left out: equal bodies in different places give equal bytes.
 std::string LandmarkFile(const Anatomy& anatomy) {
   std::vector<std::string> comments = {
       "# Landmarks of the shoulder fitted to a skin, as girdle generate wrote them beside "
@@ -142,7 +142,7 @@ std::string LandmarkFile(const Anatomy& anatomy) {
   return LandmarksToCsv(anatomy, comments);
 }
 
-// Refuses to write a file of the output's folder over one that is read.
+// Refuses to replace a file that is read by a file in the output folder.
 void ExpectApart(const GenerateArguments& arguments, const std::string& name) {
   ExpectFilesApart({{"--out", (std::filesystem::path(arguments.out) / name).string()}},
                    {{"--table", TableFile(arguments.rhythm.table)},
@@ -184,7 +184,7 @@ void Generate(const GenerateArguments& arguments) {
   if (has_own_bones) {
     files.emplace_back(names.landmarks, LandmarkFile(anatomy));
   }
-  // What MuJoCo does not accept is not a model and is not written.
+  // A model that MuJoCo does not accept is not written.
   const std::string checked = CheckedByMujoco(files, ChosenPlugin(arguments.plugin));
   const std::filesystem::path folder(arguments.out);
   WriteFiles(folder, files);

@@ -11,7 +11,7 @@ namespace girdle {
 namespace {
 
 constexpr std::size_t kIndent = 2;
-// Wide enough for `--skin-landmarks FILE`; a longer name stands on a line of its own.
+// Wide enough for `--skin-landmarks FILE`. A longer name has a line of its own.
 constexpr std::size_t kMeaningColumn = 26;
 
 }  // namespace

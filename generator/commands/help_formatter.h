@@ -13,9 +13,9 @@ namespace girdle {
 
 /// Writes the help of the program and of its verbs within a given width.
 ///
-/// Options stand in their groups, the name on the left and the meaning, wrapped, on the right.
-/// Descriptions and footers are wrapped too; their lines that begin with a blank are examples and
-/// stay as they are.
+/// Options are listed in their groups: the name on the left, the meaning, wrapped, on the right.
+/// Descriptions and footers are wrapped too. Lines that begin with a blank are examples and are not
+/// wrapped.
 class HelpFormatter : public CLI::Formatter {
  public:
   /// `width` is the most bytes of a line, at least 60.

@@ -34,7 +34,7 @@ namespace {
 
 constexpr const char* kSeeHelp = "See girdle --help";
 
-// `girdle help VERB` stands for `girdle VERB --help`, and `girdle help` for `girdle --help`.
+// `girdle help VERB` means `girdle VERB --help`, and `girdle help` means `girdle --help`.
 std::vector<std::string> TypedWords(int argc, char** argv) {
   std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
   if (!words.empty() && words.front() == "help") {

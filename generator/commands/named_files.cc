@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kStandardStream = "-";
 
-// Where a file is, of which nothing has to be there.
+// Returns the place of a file. The file and its folders need not exist.
 fs::path PlaceOf(const NamedFile& file, const char* device) {
   std::error_code unclear;
   return file.path == kStandardStream ? fs::path(device) : fs::absolute(file.path, unclear);
@@ -25,12 +25,12 @@ fs::path PlaceOf(const NamedFile& file, const char* device) {
 fs::path PlaceOfWritten(const NamedFile& file) { return PlaceOf(file, "/dev/stdout"); }
 fs::path PlaceOfRead(const NamedFile& file) { return PlaceOf(file, "/dev/stdin"); }
 
-// As a person typed it, or the words for a standard stream.
+// Returns the path as the user typed it, or the words for a standard stream.
 std::string TypedText(const NamedFile& file, const char* stream_words) {
   return file.path == kStandardStream ? stream_words : file.option + " " + file.path;
 }
 
-// Whether two places, of which neither has to be there, are one.
+// Whether two paths lead to one place. Neither file needs to exist.
 bool IsOnePlace(const fs::path& a, const fs::path& b) {
   std::error_code unclear;
   if (fs::exists(a, unclear) && fs::exists(b, unclear)) {
@@ -41,7 +41,7 @@ bool IsOnePlace(const fs::path& a, const fs::path& b) {
   return !unclear && place_a == place_b;
 }
 
-// Throws unless what is written is another file than one that is read.
+// Throws if the written file is the read one.
 void ExpectNotRead(const NamedFile& written, const NamedFile& read) {
   const fs::path source = PlaceOfRead(read);
   std::error_code unclear;
@@ -52,7 +52,7 @@ void ExpectNotRead(const NamedFile& written, const NamedFile& read) {
   }
 }
 
-// Throws unless two files that are written are two.
+// Throws if two written files are the same file.
 void ExpectTwo(const NamedFile& first, const NamedFile& second) {
   const fs::path place = PlaceOfWritten(first);
   std::error_code unclear;

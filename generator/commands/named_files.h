@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// Files that a verb is to read and to write, before it does.
+/// Checks of the files that a verb reads and writes, before it does either.
 #pragma once
 
 #include <string>
@@ -15,12 +15,13 @@ struct NamedFile {
   std::string path;    ///< `-` for a standard stream; empty for none
 };
 
-/// Returns a model and the files that it is made of, as files that are read.
+/// Returns the files that a model consists of, the model's own file among them, as files that are
+/// read.
 [[nodiscard]] std::vector<NamedFile> ModelFiles(const std::string& model);
 
-/// Throws InputError, with both names, if a file that is to be written is one that is to be read,
-/// or another one to be written, whatever it is called: through links and other spellings, and
-/// where a standard stream leads to a file. Pipes and devices may be read and written.
+/// Throws InputError, with both names, if a file to be written is also to be read or is to be
+/// written twice. Links, other spellings of a path, and standard streams that are redirected to a
+/// file are recognised. Pipes and devices may be both read and written.
 void ExpectFilesApart(const std::vector<NamedFile>& written, const std::vector<NamedFile>& read);
 
 }  // namespace girdle

@@ -9,8 +9,9 @@
 
 namespace girdle {
 
-/// Puts the options that are added to a verb while it lives under a heading of the verb's help.
-/// Options that are added without a group are files and forms of the output, under "Options".
+/// Puts the options that are added to a verb during its lifetime under a heading of the verb's
+/// help. Options that are added outside a group are listed under "Options": the files and the forms
+/// of the output.
 class OptionGroup {
  public:
   OptionGroup(CLI::App& verb, const std::string& heading)

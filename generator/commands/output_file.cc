@@ -19,7 +19,7 @@ namespace girdle {
 namespace {
 
 constexpr std::string_view kStandardOutput = "-";
-// Read and write for all, less what the umask takes away.
+// Read and write for everybody, minus the bits of the umask.
 constexpr mode_t kFileMode = 0666;
 
 [[noreturn]] void FailWriting(const std::string& path) {
@@ -44,9 +44,9 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
     }
     return;
   }
-  // A link stays a link: what it points to is replaced, or made.
+  // If the path is a link, the link stays, and its target is replaced or made.
   std::filesystem::path target = std::filesystem::absolute(path_, ignored);
-  constexpr int kMostLinks = 40;  // as the kernel follows
+  constexpr int kMostLinks = 40;  // limit of the Linux kernel
   for (int i = 0; i < kMostLinks && std::filesystem::is_symlink(target, ignored); ++i) {
     target = target.parent_path() / std::filesystem::read_symlink(target, ignored);
   }
@@ -57,8 +57,8 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
   }
 }
 
-// A file without a name vanishes with the program, however that ends. Not all file systems have
-// them.
+// A file without a name vanishes when the program ends in any way. Not all file systems support
+// such files.
 bool OutputFile::OpenUnnamed(const std::string& folder) {
   const int descriptor = open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, kFileMode);
   if (descriptor < 0) {
@@ -119,7 +119,7 @@ void OutputFile::Commit() {
     return;
   }
   if (!temporary_path_.empty()) {
-    // Who could read the earlier file can read this one, and nobody else.
+    // The new file has the access rights of the earlier file.
     struct stat earlier {};
     if (stat(path_.c_str(), &earlier) == 0 && fchmod(fileno(file_), earlier.st_mode) != 0) {
       Fail();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// Output that is complete or not there at all.
+/// Output files that are either complete or not there at all.
 #pragma once
 
 #include <cstdint>
@@ -16,9 +16,9 @@ namespace girdle {
 
 /// A file under construction.
 ///
-/// A regular file is written under a temporary name beside its place and put there by Commit;
-/// without Commit nothing of it remains and what was there before stays, even if the program is
-/// killed (where the file system knows files without a name). `-` is standard output; it and
+/// A regular file is written under a temporary name in its folder; Commit moves it to its place.
+/// Without Commit, no part of it remains and an earlier file stays, even if the program is killed
+/// (on file systems that support files without a name). `-` is standard output. Standard output and
 /// devices are written directly. All failures throw InputError with the reason.
 class OutputFile {
  public:
@@ -28,9 +28,10 @@ class OutputFile {
   ~OutputFile();
 
   void Write(std::string_view text);
-  /// The open file, for a program that writes it in place of Write.
+  /// Returns the open file's descriptor, for another program that writes the file in place of
+  /// Write.
   [[nodiscard]] int Descriptor() const noexcept;
-  /// Hands on what was written so far, as to whoever waits at the other end of a pipe.
+  /// Passes on the bytes written so far, for example to a reader at the other end of a pipe.
   void Flush();
   /// Flushes and puts the file in its place.
   void Commit();
@@ -48,22 +49,23 @@ class OutputFile {
   std::FILE* file_ = nullptr;
 };
 
-/// Throws InputError if the disk of a file that an option names has less room than it needs.
-/// Nothing is known of standard output and of what is not a regular file.
+/// Throws InputError if the disk of the file that an option names has less free room than `bytes`.
+/// Standard output and files that are not regular are not checked.
 void ExpectRoom(const std::string& option, const std::string& path, std::uintmax_t bytes);
 
-/// Writes several files (name, text) into a folder, which is made if needed: all of them, or none.
+/// Writes several files (name, text) into a folder, all of them or none. Makes the folder if
+/// needed.
 void WriteFiles(const std::filesystem::path& folder,
                 const std::vector<std::pair<std::string, std::string>>& files);
 
 /// Writes to standard output; throws InputError if it cannot be written.
 void Print(std::string_view text);
 
-/// Writes a line about the work that is done to standard error, where it is in nobody's way.
+/// Writes a line about the work to standard error, so that standard output holds results only.
 void PrintNote(std::string_view line);
 
-/// Notes that a file was written, and what is in it: `wrote map.csv: 91 rows`. Nothing is noted of
-/// standard output (`-`) and of a file that was not asked for (an empty path).
+/// Notes on standard error that a file was written, and its content: `wrote map.csv: 91 rows`.
+/// Nothing is noted for standard output (`-`) and for an empty path.
 void NoteWritten(const std::string& path, const std::string& content = "");
 
 }  // namespace girdle

@@ -16,7 +16,7 @@
 namespace girdle {
 namespace {
 
-// A number of pixels within the limits; nothing for any other text.
+// Returns a number of pixels within the limits; nothing for any other text.
 std::optional<int> PixelsFrom(std::string_view text) {
   int pixels = 0;
   const char* const end = text.data() + text.size();

@@ -12,7 +12,7 @@
 
 namespace girdle {
 
-/// What every verb that draws says of it in its help.
+/// The paragraph about pictures in the help of every verb that draws.
 extern const char* const kPicturesHelp;
 
 /// `--camera`, `--size`, `--show` as given; empty where not given.
@@ -26,8 +26,8 @@ struct ViewArguments {
 
 void AddViewArguments(CLI::App& verb, ViewArguments& arguments);
 
-/// Returns the view chosen, defaults where nothing was given. Throws InputError if the size is not
-/// WIDTHxHEIGHT within the limits of a picture, or for an unknown word.
+/// Returns the chosen view, with defaults for options that are not given. Throws InputError for an
+/// unknown word, and if the size is not WIDTHxHEIGHT within the limits of a picture.
 [[nodiscard]] View ChosenView(const ViewArguments& arguments);
 
 /// Throws InputError unless the file's name ends in `suffix`, in letters of either case.

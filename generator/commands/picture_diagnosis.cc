@@ -16,10 +16,10 @@
 namespace girdle {
 namespace {
 
-// The first context of a process compiles its programs.
+// The first context of a process is slow, because OpenGL compiles its programs.
 constexpr int kLimit_s = 30;
 
-// What the child says: JSON, whose strings are empty for what there is not.
+// Keys of the child's JSON output. A string is empty if the machine has no such part.
 constexpr const char* kRenderer = "renderer";
 constexpr const char* kProblem = "problem";
 constexpr const char* kFfmpeg = "ffmpeg";

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// What draws pictures on this machine, and what makes videos of them.
+/// Diagnosis of the means by which this machine draws pictures and makes videos.
 #pragma once
 
 #include "mujoco_search/diagnosis.h"
 
 namespace girdle {
 
-/// Sets what `diagnosis` says of pictures and videos. OpenGL's libraries are opened in a process of
-/// their own, which may crash.
+/// Sets the fields of `diagnosis` on pictures and videos. The OpenGL libraries are opened in a
+/// child process, because they may crash.
 void DiagnosePictures(Diagnosis& diagnosis);
 
 }  // namespace girdle

@@ -27,7 +27,7 @@ void TerminalProgress::operator()(double done) {
 void TerminalProgress::Clear() {
   if (shown_percent_ >= 0) {
     shown_percent_ = -1;
-    // Over the label, a blank and "100 %".
+    // Clears the label, a blank and "100 %".
     std::cerr << "\r" << std::string(label_.size() + 6, ' ') << "\r" << std::flush;
   }
 }

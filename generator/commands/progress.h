@@ -8,11 +8,11 @@
 
 namespace girdle {
 
-/// A line on standard error that says how much is done; nothing where that is no terminal. The line
-/// is gone when the object is, so that a message after it stands alone.
+/// A line on standard error that shows how much is done. Nothing is shown if standard error is not
+/// a terminal. The destructor removes the line, so that a later message does not run into it.
 class TerminalProgress {
  public:
-  /// Shows nothing if `wanted` is false, as where the result itself goes to the terminal.
+  /// Shows nothing if `wanted` is false, for example where the result itself goes to the terminal.
   explicit TerminalProgress(std::string label, bool wanted = true);
   TerminalProgress(const TerminalProgress&) = delete;
   TerminalProgress& operator=(const TerminalProgress&) = delete;
@@ -20,13 +20,13 @@ class TerminalProgress {
 
   /// Shows how much is done, 0 to 1.
   void operator()(double done);
-  /// Takes the line away.
+  /// Removes the line.
   void Clear();
 
  private:
   std::string label_;
   bool is_shown_;
-  int shown_percent_ = -1;  ///< -1 while no line stands
+  int shown_percent_ = -1;  ///< -1 while no line is shown
 };
 
 }  // namespace girdle

@@ -68,7 +68,7 @@ RenderRequest Requested(const RenderArguments& arguments) {
   return request;
 }
 
-// A line that says which direction is shown if it is not the one asked for.
+// Returns a line on the direction that is shown, if it differs from the command.
 std::string UsedText(const RenderResult& result) {
   if (!result.used_instead) {
     return "";

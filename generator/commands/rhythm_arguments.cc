@@ -14,7 +14,7 @@
 namespace girdle {
 namespace {
 
-// What was said of everything but the table.
+// Returns the parts of the rhythm that the user chose, without the table.
 RhythmChoice ChoiceOfWords(const RhythmArguments& arguments) {
   return {ChosenWord<Interpolation>("--interpolation", arguments.interpolation),
           ChosenWord<Closure>("--closure", arguments.closure),

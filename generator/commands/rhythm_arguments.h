@@ -28,15 +28,16 @@ void AddAxialFromArgument(CLI::App& verb, std::string& axial_from, const std::st
 /// `--table` alone, for verbs that need no rhythm.
 void AddTableArgument(CLI::App& verb, std::string& table);
 
-/// Returns the file that a `--table` names; empty for a word, and where it is not given.
+/// Returns the file that `--table` names. Empty if `--table` is a word or is not given.
 [[nodiscard]] std::string TableFile(const std::string& table);
 
-/// Returns what the user said of the rhythm, and only that. Throws InputError for an unknown word,
-/// naming the known ones, and for a table that is neither a word nor a file with a table.
+/// Returns the parts of the rhythm that the user chose, and only those. Throws InputError for an
+/// unknown word, with the known ones, and for a table that is neither a word nor a file with a
+/// table.
 [[nodiscard]] RhythmChoice ChoiceFrom(const RhythmArguments& arguments);
 
-/// Returns the rhythm chosen, in the joint ranges of the built-in anatomy. Throws as ChoiceFrom, or
-/// if the options do not go together.
+/// Returns the chosen rhythm, in the joint ranges of the built-in anatomy. Throws as ChoiceFrom,
+/// and if the options exclude each other.
 [[nodiscard]] ShoulderRhythm ChosenRhythm(const RhythmArguments& arguments);
 [[nodiscard]] ShoulderRhythm ChosenRhythm(const ResolvedRhythm& resolved);
 

@@ -14,7 +14,7 @@ std::vector<ShoulderPoint> ShoulderPoints(const Anatomy& anatomy, const Shoulder
       {"elbow",
        kMillimetersPerMeter * InThorax_m(anatomy, pose, Segment::kHumerus, anatomy.elbow_m())}};
   for (std::size_t i = 0; i < kLandmarkCount; ++i) {
-    if (kLandmarks[i].sided) {  // the others are of the thorax and stay where they are
+    if (kLandmarks[i].sided) {  // the other landmarks are on the thorax and do not move
       points.push_back(
           {InSmallLetters(kLandmarks[i].name),
            kMillimetersPerMeter * LandmarkInThorax_m(anatomy, pose, static_cast<Landmark>(i))});

@@ -14,13 +14,13 @@ namespace girdle {
 
 /// A point in the thorax frame: x anterior, y up, z to the right, origin IJ [mm].
 struct ShoulderPoint {
-  std::string name;  ///< in small letters, as columns have it
+  std::string name;  ///< in lower case, as in names of columns
   Vector3 p_mm;
 };
 
-/// Returns where the elbow, middle of the epicondyles, and the landmarks on clavicle, scapula and
-/// humerus are in a pose, in the order of the output: `elbow`, then SC and the others in the order
-/// of kLandmarks. Always the same names, whatever pose and anatomy.
+/// Returns the elbow (middle of the epicondyles) and the landmarks on clavicle, scapula and humerus
+/// in a pose. The order is that of the output: `elbow`, then SC and the others in the order of
+/// kLandmarks. The names do not depend on pose and anatomy.
 [[nodiscard]] std::vector<ShoulderPoint> ShoulderPoints(const Anatomy& anatomy,
                                                         const ShoulderPose& pose);
 

@@ -52,7 +52,7 @@ struct SimulateArguments {
   bool json = false;
 };
 
-// An elevation of `--elevation FROM:TO`.
+// Returns an elevation of `--elevation FROM:TO`.
 double RaiseElevation(const SimulateArguments& arguments, const std::string& text) {
   const std::string option = "--elevation '" + *arguments.elevation + "': ";
   const AngleConvention convention = ReadingFrom(arguments.angles).convention;
@@ -70,7 +70,7 @@ double RaiseElevation(const SimulateArguments& arguments, const std::string& tex
   }
 }
 
-// How long a motion may be [s].
+// Returns the longest duration of a motion [s].
 double LongestMotion_s(const SimulateArguments& arguments) {
   if (!arguments.longest) {
     return kLongestMotion_s;
@@ -130,7 +130,7 @@ MotionRequest Requested(const SimulateArguments& arguments) {
   return request;
 }
 
-// All but where the pictures go.
+// Returns the request for pictures, without the receivers of the files.
 PictureRequest RequestedPictures(const SimulateArguments& arguments) {
   if (arguments.picture.empty() && arguments.video.empty() && !arguments.view.empty()) {
     throw InputError(
@@ -274,7 +274,7 @@ void Simulate(const SimulateArguments& arguments) {
     pictures.png = into(picture);
   }
   const auto expect_room = [&](std::uintmax_t trace_bytes, std::uintmax_t controls_bytes) {
-    // They may be on one disk.
+    // Trace and controls may be on one disk.
     const std::uintmax_t bytes = (trace ? trace_bytes : 0) + (controls ? controls_bytes : 0);
     ExpectRoom("--out", arguments.out, bytes);
     ExpectRoom("--out-controls", arguments.controls, bytes);

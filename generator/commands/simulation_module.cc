@@ -16,7 +16,7 @@ namespace {
 constexpr const char* kSimulationFile = "libgirdle_simulation.so";
 constexpr const char* kPluginFile = "libgirdle_rhythm.so";
 
-// A file beside the program, as built, or in the library folder, as installed.
+// Returns a file beside the program (build tree) or in the library folder (installation).
 std::filesystem::path PartOfProgram(const char* file) {
   std::error_code error;
   const std::filesystem::path folder = ProgramFolder();

@@ -31,8 +31,8 @@ namespace {
 constexpr const char* kImplicitWord = "implicit";
 constexpr std::array<std::string_view, 3> kMeshSuffixes = {".glb", ".gltf", ".obj"};
 
-// The heat alone makes the border of the scapula too sharp, the artist alone hardly moves skin with
-// clavicle and scapula.
+// Weights of heat alone make the border of the scapula too sharp. Weights of the artist alone
+// hardly move skin with clavicle and scapula.
 constexpr double kArtistShare = 0.3;
 constexpr int kSmoothingSteps = 3;
 
@@ -53,7 +53,7 @@ Source SourceOf(const std::string& skin) {
                    "scripts/fetch_body fetches a body into the folder build/body");
 }
 
-// Refuses options that say nothing about this skin.
+// Refuses options that do not apply to this kind of skin.
 void ExpectFitting(Source source, const SkinArguments& arguments, const AnatomyArguments& anatomy) {
   if (!arguments.landmarks.empty() && source != Source::kMesh) {
     throw InputError("--skin-landmarks " + arguments.landmarks + ": --skin " + arguments.skin +
@@ -77,8 +77,8 @@ void ExpectFitting(Source source, const SkinArguments& arguments, const AnatomyA
   }
 }
 
-// Returns what `make` makes. What a surface has to be is said by the rooms that work on
-// it, as std::invalid_argument: the user's to mend if it came from there, and else our fault.
+// Returns the result of `make`. A fault of the surface is a std::invalid_argument. If the surface
+// came from the user's `source`, it becomes an InputError; otherwise it is a fault of Girdle.
 template <typename Make>
 auto OrBlame(const std::string& source, const Make& make) {
   try {
@@ -167,7 +167,7 @@ BoundSkin BoundTo(const ChosenBody& chosen, const std::vector<Side>& sides) {
 
 MadeSkin SkinOf(const ChosenBody& chosen, const std::vector<Side>& sides,
                 const std::string& file_name) {
-  // Not in braces: if the second part throws, GCC 12 destroys the first one twice.
+  // No braced list here: if the second part throws, GCC 12 destroys the first one twice.
   MadeSkin made;
   made.element.file = file_name;
   made.bytes = SknBytes(BoundTo(chosen, sides));

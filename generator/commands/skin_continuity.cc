@@ -25,7 +25,7 @@ struct LandmarkPlace {
   ArmCommand command;
 };
 
-// The largest, from landmarks' values and how many mm/deg one of them is.
+// Returns the largest value over the landmarks. `mm_per_deg` converts the unit of `values`.
 SkinFigure LargestOf(const LandmarkLargest& values, bool ac_skin_only, double mm_per_deg) {
   WorstCase<LandmarkPlace> largest;
   for (std::size_t k = 0; k < kSkinLandmarkCount; ++k) {
@@ -40,7 +40,7 @@ SkinFigure LargestOf(const LandmarkLargest& values, bool ac_skin_only, double mm
 
 SkinContinuity MeasureSkin(const LandmarkSkin& landmarks, const RhythmTable& table) {
   constexpr double kOfJumps = kMillimetersPerMeter * kRadiansPerDegree;  // from m/rad
-  constexpr double kOfSteps = kMillimetersPerMeter;                      // from m in a degree
+  constexpr double kOfSteps = kMillimetersPerMeter;                      // from m per degree
   SkinContinuity skin;
   for (const Interpolation interpolation :
        {Interpolation::kSlerp, Interpolation::kSquad, Interpolation::kSmooth}) {

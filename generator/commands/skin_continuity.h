@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// What slerp, squad and smooth do to one skin, in which they differ alone.
+/// Comparison of the interpolations slerp, squad and smooth by their effect on one skin.
 #pragma once
 
 #include <string>
@@ -20,28 +20,29 @@ struct SkinFigure {
   std::string where;
 };
 
-/// How an interpolation moves skin landmarks where it crosses a table's inner knots along one
-/// direction: jumps of their velocity.
+/// Jumps of the velocity of skin landmarks where an interpolation crosses the inner knots of a
+/// table in one direction.
 struct SkinJumps {
   Interpolation interpolation;
   Direction direction;
-  SkinFigure ac_skin;  ///< of the landmarks that IsAcSkin
-  SkinFigure all;      ///< of all landmarks
+  SkinFigure ac_skin;  ///< over the landmarks that IsAcSkin
+  SkinFigure all;      ///< over all landmarks
 };
 
-/// How far an interpolation moves the AC skin at most while the elevation rises by a degree.
+/// The largest movement of the AC skin under an interpolation while the elevation rises by a
+/// degree.
 struct SkinStep {
   Interpolation interpolation;
   SkinFigure ac_skin;
 };
 
 struct SkinContinuity {
-  std::vector<SkinJumps> jumps;  ///< over elevations and planes, of each interpolation
-  std::vector<SkinStep> steps;   ///< of each interpolation
+  std::vector<SkinJumps> jumps;  ///< over elevations and planes, for each interpolation
+  std::vector<SkinStep> steps;   ///< for each interpolation
 };
 
-/// Returns what the interpolations, each with closure table on the same table, do to landmarks.
-/// Throws std::invalid_argument if the table is too small for one of them.
+/// Returns jumps and steps of the landmarks under each interpolation, with closure table on
+/// `table`. Throws std::invalid_argument if the table is too small for one of them.
 [[nodiscard]] SkinContinuity MeasureSkin(const LandmarkSkin& landmarks, const RhythmTable& table);
 
 [[nodiscard]] std::string SkinContinuityAsText(const SkinContinuity& skin);

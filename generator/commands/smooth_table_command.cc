@@ -29,9 +29,10 @@
 namespace girdle {
 namespace {
 
-// Of an angle in the file [deg]: far below what was measured, far above what machines differ by.
+// Decimals of an angle [deg] in the file: finer than any measurement, coarser than the rounding in
+// which machines differ.
 constexpr int kAngleDecimals = 4;
-// Of planes and elevations in reports [deg].
+// Decimals of planes and elevations [deg] in reports.
 constexpr int kKnotDecimals = 6;
 
 struct SmoothTableArguments {
@@ -41,7 +42,7 @@ struct SmoothTableArguments {
   bool json = false;
 };
 
-// A table and the comments in front of it.
+// A table and the comments before it.
 struct CommentedTable {
   RhythmTable table;
   std::vector<std::string> comments;
@@ -72,7 +73,7 @@ std::string DegreesText(double angle_rad) {
   return RoundedText(DegreesFromRadians(angle_rad), kKnotDecimals);
 }
 
-// Where the table comes from, in front of the source's own comments.
+// Returns comments on the origin of the table, to stand before the source's own comments.
 std::vector<std::string> Provenance(const std::string& source, const SmoothingOptions& options,
                                     const std::vector<std::string>& source_comments) {
   const std::string lambda = NumberText(options.penalty);

@@ -30,7 +30,7 @@ namespace girdle {
 namespace {
 
 constexpr int kDigits = 2;
-constexpr int kStatedDigits = 4;  // of what is read as a number, not held against a limit
+constexpr int kStatedDigits = 4;  // for numbers that are not compared with a limit
 
 struct SmoothnessArguments {
   RhythmArguments rhythm;
@@ -141,7 +141,7 @@ std::string AsJson(const ShoulderRhythm& rhythm, const std::vector<Interpolation
   return JsonText(json);
 }
 
-// The landmarks of the right shoulder's skin that was asked for, if any was.
+// Returns the landmarks of the right shoulder's skin, if the user chose a skin.
 std::optional<LandmarkSkin> ChosenSkin(const SkinArguments& arguments) {
   const std::vector<Side> sides = {Side::kRight};
   const std::optional<ChosenBody> body = BodyFor(arguments, {}, sides);
@@ -155,7 +155,7 @@ std::optional<LandmarkSkin> ChosenSkin(const SkinArguments& arguments) {
 bool Measure(const SmoothnessArguments& arguments) {
   const RhythmChoice said = ChoiceFrom(arguments.rhythm);
   const ShoulderRhythm rhythm = ChosenRhythm(Resolve(said));
-  // The interpolations are compared on the table that was said, by default the measured one.
+  // The interpolations are compared on the chosen table, by default the measured one.
   const ResolvedRhythm compared = Resolve(Over(said, {.table = BuiltInTable::kMeasured}));
   const std::optional<LandmarkSkin> landmarks = ChosenSkin(arguments.skin);
   std::vector<InterpolationJumps> jumps;

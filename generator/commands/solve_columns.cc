@@ -50,7 +50,7 @@ Cell QuaternionPart(const SolvedRow& row, std::size_t k) {
   return std::array{q.w, q.x, q.y, q.z}[k % kQuaternionParts.size()];
 }
 
-// A joint's turn with elevation along three axes, with plane along three, and so for each joint.
+// Each joint has three components of its rotation with elevation, and then three with plane.
 constexpr std::size_t kRatesOfJoint = 2 * kAxes.size();
 Stems RateStems(const SolveOutput& output) {
   Stems stems;
@@ -85,7 +85,7 @@ Cell Rate(const SolvedRow& row, std::size_t k) {
   return w[static_cast<int>(component % kAxes.size())];
 }
 
-// In the order of the output. Further columns are a line here.
+// The columns in the order of the output. A further column is one more line here.
 constexpr std::array<OutputColumns<SolvedRow, SolveOutput>, 10> kSolveColumns = {{
     {AngleStems, kDegrees,
      [](const SolvedRow& row, std::size_t k) -> Cell {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// The columns that `girdle solve` answers each row of a CSV with: one table of names, units and
-/// how they are computed.
+/// The columns that `girdle solve` adds to each row of a CSV: one table of names, units and
+/// formulas.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@
 
 namespace girdle {
 
-/// Stems of columns that have the same names where one pose is answered as JSON.
+/// Stems of columns whose names are also keys of the JSON for one pose.
 inline constexpr std::string_view kClampedStem = "clamped";
 inline constexpr std::string_view kUsedElevationStem = "used_elevation";
 inline constexpr std::string_view kUsedPlaneStem = "used_plane";
@@ -39,21 +39,20 @@ constexpr const auto& WordsOf(RotationForm /*which*/) noexcept { return kRotatio
 inline constexpr int kDefaultDigits = 6;
 inline constexpr int kMostDigits = 15;
 
-/// What a position of the arm is answered with.
+/// Choices of what `girdle solve` writes for a position of the arm.
 struct SolveOutput {
   RotationForm form = RotationForm::kAngles;
   /// The pose that rotations are counted from; the zero of each joint if empty.
   std::optional<ShoulderPose> since = std::nullopt;
-  /// Whether the derivatives of the joints' rotations are written; the interpolation has to be
-  /// smooth.
+  /// Whether the derivatives of the joints' rotations are written. Needs a smooth interpolation.
   bool derivatives = false;
-  /// Whose ShoulderPoints are written; nobody's if empty.
+  /// The anatomy whose ShoulderPoints are written. No points are written if empty.
   std::optional<Anatomy> points_of = std::nullopt;
   /// Decimals of numbers in tables, 0 to kMostDigits.
   int digits = kDefaultDigits;
 };
 
-/// The rotations that are written, each of a bone in another.
+/// The rotations that are written. Each is of one bone in another.
 inline constexpr std::size_t kWrittenRotationCount = 5;
 inline constexpr std::array<std::string_view, kWrittenRotationCount> kWrittenRotationNames = {
     "sc",  // clavicle in thorax, q_TC
@@ -65,7 +64,7 @@ inline constexpr std::array<std::string_view, kWrittenRotationCount> kWrittenRot
 using WrittenRotations = std::array<Quaternion, kWrittenRotationCount>;
 
 /// Returns the rotations of a pose in the order of kWrittenRotationNames, w >= 0. If `since` has a
-/// pose, each is the turn from there, in the axes that the bone has there: q_0^-1 q.
+/// pose, each is the turn q_0^-1 q since that pose, in the axes that the bone has there.
 [[nodiscard]] WrittenRotations RotationsOf(const ShoulderPose& pose,
                                            const std::optional<ShoulderPose>& since) noexcept;
 
@@ -74,7 +73,7 @@ inline constexpr std::size_t kWrittenAngleCount = kCoordinateCount + kScapulotho
 using WrittenAngles = std::array<double, kWrittenAngleCount>;
 [[nodiscard]] std::vector<std::string> WrittenAngleNames();
 
-/// Returns the angles of the joints with those of the scapula in the thorax behind them [rad].
+/// Returns the angles of the joints, followed by those of the scapula in the thorax [rad].
 [[nodiscard]] WrittenAngles WithScapulothoracic(const JointAngles& joints_rad,
                                                 const Quaternion& q_TS) noexcept;
 
@@ -82,20 +81,20 @@ using WrittenAngles = std::array<double, kWrittenAngleCount>;
 /// AnglesFromPose.
 [[nodiscard]] WrittenAngles AnglesOf(const WrittenRotations& rotations) noexcept;
 
-/// What the columns of a row that is solved are made of; as in ShoulderSolution.
+/// The values that the columns of a solved row are computed from, as in ShoulderSolution.
 struct SolvedRow {
-  WrittenAngles angles_rad;    ///< where the form is degrees
-  WrittenRotations rotations;  ///< where the form is quaternions
+  WrittenAngles angles_rad;    ///< if the form is degrees
+  WrittenRotations rotations;  ///< if the form is quaternions
   bool clamped;
   ArmCommand used;
   double distance_rad;
   Origin origin;
   double used_axial_isb_rad;           ///< ISB's third angle
-  std::optional<ShoulderRates> rates;  ///< where they are asked for
-  std::vector<ShoulderPoint> points;   ///< where they are asked for
+  std::optional<ShoulderRates> rates;  ///< if derivatives are chosen
+  std::vector<ShoulderPoint> points;   ///< if points are chosen
 };
 
-/// Returns the columns in their order:
+/// Returns the columns in this order:
 ///
 /// The angles, `sc_protraction_deg` and so on, or as quaternions `sc_qw` and so on, with
 /// `_since_hanging` behind the stem where they are counted from the hanging arm; `clamped`, the
@@ -104,10 +103,11 @@ struct SolvedRow {
 /// third angle; the offsets of the clavicle that were left, `used_shrug_deg` and
 /// `used_protraction_deg`.
 ///
-/// With derivatives three columns a joint for each of elevation and plane, `sc_w_elevation_x` and
-/// so on: the angular velocity of the child in the parent, in the parent's axes [deg per deg].
+/// With derivatives, each joint has three columns for elevation and three for plane,
+/// `sc_w_elevation_x` and so on: the angular velocity of the child in the parent, in the parent's
+/// axes [deg per deg].
 ///
-/// With points three columns for each of them, `elbow_x_mm` and so on, in the thorax frame.
+/// With points, each has three columns, `elbow_x_mm` and so on, in the thorax frame.
 [[nodiscard]] WrittenColumns<SolvedRow, RoundedNumbers> SolveColumns(const SolveOutput& output);
 
 }  // namespace girdle

@@ -44,7 +44,7 @@ namespace girdle {
 namespace {
 
 constexpr std::size_t kMostThreads = 64;
-// More would surprise whoever shares the machine.
+// More threads would surprise other users of the machine.
 constexpr std::size_t kMostThreadsUnasked = 4;
 
 struct SolveArguments {
@@ -72,13 +72,13 @@ struct SolveArguments {
 constexpr const char* kLandmarksKey = "landmarks_mm";
 constexpr const char* kAxialIsbKey = "axial_isb_deg";
 
-// A million positions; more belong into a file.
+// A million positions. A larger set belongs in a file.
 constexpr std::uint64_t kMostSwept = 1'000'000;
 constexpr SweptAngle kSweptElevation = {"--elevation", kWholeElevations, -kHalfCircle_deg,
                                         kHalfCircle_deg};
 constexpr SweptAngle kSweptPlane = {"--plane", kWholePlanes, -kMostTurned_deg, kMostTurned_deg};
 
-// One position of the arm as typed, with the elevation as Girdle counts it.
+// One position of the arm as typed. The elevation has Girdle's sign.
 struct TypedPose {
   double elevation_deg;
   double plane_deg;
@@ -94,7 +94,7 @@ struct TypedPose {
   }
 };
 
-// An offset that is given, within its bounds.
+// Returns an offset within its bounds, if one is given.
 std::optional<double> OffsetArgument(const std::string& option,
                                      const std::optional<std::string>& text,
                                      const CoordinateRange& bounds) {
@@ -120,7 +120,7 @@ std::optional<double> ProtractionArgument(const SolveArguments& arguments) {
   return OffsetArgument("--protraction", arguments.protraction_deg, kProtractionRange);
 }
 
-// Without an axial turn there is nothing to count.
+// Without an axial turn, `--axial-from` has no meaning.
 AxialFrom ChosenAxialFrom(const SolveArguments& arguments) {
   if (!arguments.axial_deg && arguments.in.empty()) {
     if (!arguments.axial_from.empty()) {
@@ -139,13 +139,13 @@ const std::string& Required(const std::string& option, const std::optional<std::
   return *text;
 }
 
-// An elevation that was typed, as Girdle counts it.
+// Returns a typed elevation with Girdle's sign.
 double ReadElevation_deg(const SolveArguments& arguments, const std::string& text) {
   return ElevationArgument_deg("--elevation", text, ReadingFrom(arguments.angles).convention,
                                arguments.axial_deg.has_value());
 }
 
-// As it was typed, whole turns too.
+// Returns the plane as typed, with any whole turns.
 double TypedPlane_deg(const SolveArguments& arguments) {
   const std::string& text = Required("--plane", arguments.plane_deg);
   static_cast<void>(PlaneArgument_deg("--plane", text));
@@ -168,7 +168,7 @@ CellEdges EdgesOf(const RhythmTable& table, const RhythmCell& cell) {
           DegreesFromRadians(planes[cell.plane_index + 1])};
 }
 
-// First and second derivatives [deg per deg, deg per deg^2].
+// Returns first and second derivatives [deg per deg, deg per deg^2] as JSON.
 nlohmann::ordered_json DerivativesAsJson(const ShoulderDerivatives& derivatives) {
   nlohmann::ordered_json json;
   const auto first = [](const Vector3& w) { return std::array{w.x, w.y, w.z}; };
@@ -204,7 +204,7 @@ nlohmann::ordered_json PointsAsJson(const Anatomy& anatomy, const ShoulderPose& 
   return json;
 }
 
-// The pose of the rhythm with the arm hanging, without an axial turn or offsets of its own.
+// Returns the rhythm's pose of the hanging arm, without axial turn and offsets.
 ShoulderPose HangingPose(const ShoulderRhythm& rhythm) {
   const ShoulderSolution hanging = rhythm.Solve({});
   if (hanging.clamped) {
@@ -255,7 +255,7 @@ SolveOutput ChosenOutput(const SolveArguments& arguments, const ShoulderRhythm& 
   return output;
 }
 
-// The rotations of a pose, in the form that is asked for.
+// Adds the rotations of a pose in the chosen form.
 void AddRotations(nlohmann::ordered_json& json, const ShoulderPose& pose,
                   const SolveOutput& output) {
   if (output.since) {
@@ -319,7 +319,7 @@ constexpr std::size_t kLabelWidth = 22;
 constexpr std::size_t kAngleWidth = 13;
 constexpr int kDecimals = 6;
 
-// Numbers to the right of a label, each in a column of its own.
+// Returns numbers to the right of a label, each in a column of its own.
 std::string NumbersAsText(const std::string& label, const std::vector<double>& numbers,
                           int digits) {
   std::string text = AlignedLeft(label, kLabelWidth);
@@ -362,7 +362,7 @@ std::string PointsAsText(const Anatomy& anatomy, const ShoulderPose& pose, int d
   return text;
 }
 
-// How each angle changes with elevation and plane.
+// Returns how each angle changes with elevation and plane.
 std::string DerivativesAsText(const ShoulderDerivatives& derivatives, int digits) {
   std::string text = "\n" + AlignedLeft("change of", kLabelWidth) +
                      AlignedRight("elevation", kAngleWidth) + AlignedRight("plane", kAngleWidth) +
@@ -376,7 +376,7 @@ std::string DerivativesAsText(const ShoulderDerivatives& derivatives, int digits
   return text;
 }
 
-// What the command used differs from the one given by.
+// Returns the parts of the command used that differ from the command given.
 std::string UsedAsText(const ShoulderRhythm& rhythm, const ArmCommand& given,
                        const ArmCommand& used, int digits) {
   std::string differing;
@@ -492,7 +492,7 @@ void SolvePosture(const SolveArguments& arguments) {
 
 std::size_t ChosenThreads(const std::optional<std::string>& text) {
   if (!text) {
-    // Where the number of cores is not known it is 0.
+    // hardware_concurrency returns 0 if the number of cores is not known.
     return std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, kMostThreadsUnasked);
   }
   const std::optional<double> number = FiniteNumber(*text);
@@ -503,7 +503,7 @@ std::size_t ChosenThreads(const std::optional<std::string>& text) {
   return static_cast<std::size_t>(*number);
 }
 
-// How the angles of a file are to be read.
+// Returns the unit and the convention of the angles in a file.
 AngleReading ChosenReading(const SolveArguments& arguments) {
   AngleReading reading = ReadingFrom(arguments.angles);
   reading.axial_from = ChosenAxialFrom(arguments);
@@ -530,7 +530,7 @@ void SolveFile(const RowSource& source, const SolveArguments& arguments) {
   SolveRows(source, arguments.out, rhythm, ChosenRowOptions(arguments, rhythm));
 }
 
-// As they were typed.
+// Returns the elevations as typed.
 std::vector<double> SweptElevations_deg(const SolveArguments& arguments) {
   const std::string& text = Required("--elevation", arguments.elevation_deg);
   const std::vector<double> elevations_deg =
@@ -548,7 +548,7 @@ std::vector<double> SweptPlanes_deg(const SolveArguments& arguments) {
                        : std::vector{TypedPlane_deg(arguments)};
 }
 
-// All combinations of the elevations and planes given.
+// Solves all combinations of the elevations and planes given.
 void SolveAllPositions(const SolveArguments& arguments) {
   ExpectNoUnit(arguments.angles);
   const SweptPositions sweep{SweptElevations_deg(arguments), SweptPlanes_deg(arguments)};

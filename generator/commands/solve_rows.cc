@@ -31,7 +31,7 @@
 namespace girdle {
 namespace {
 
-// An option that stands in place of a column that may be missing, for all rows.
+// An option that gives one value for all rows in place of a column.
 struct ColumnOption {
   const char* column;
   const char* option;
@@ -46,11 +46,11 @@ constexpr std::array<ColumnOption, 3> kColumnOptions = {{
      &RowOptions::protraction_deg},
 }};
 
-// Rows that are solved together, as they stand in the output before their answers.
+// Rows that are solved together. `lines` are the input rows that begin the output rows.
 struct Rows {
   std::vector<std::string_view> lines;
   std::vector<ArmCommand> commands;
-  AngleSpan span;  // of the numbers of a file whose unit nobody said
+  AngleSpan span;  // of the numbers, if the user did not give the unit
 
   void Clear() noexcept {
     lines.clear();
@@ -59,7 +59,7 @@ struct Rows {
   }
 };
 
-// What a row asks where it has no column for it.
+// Returns the values of a row for which it has no columns.
 ArmCommand CommandOf(const RowOptions& options) noexcept {
   ArmCommand command;
   for (const ColumnOption& option : kColumnOptions) {
@@ -73,19 +73,19 @@ ArmCommand CommandOf(const RowOptions& options) noexcept {
   return command;
 }
 
-// What the axial turn that an option gives all rows counts from, if one does.
+// Returns the zero that an option's axial turn of all rows counts from, if there is such an option.
 std::optional<AxialFrom> AxialFromOfAll(const RowOptions& options) noexcept {
   return options.axial_deg ? std::optional(options.reading.axial_from) : std::nullopt;
 }
 
-// What is written behind rows. Immutable: threads share it.
+// Writes the columns that follow each row. Immutable, because threads share it.
 class RowAnswers {
  public:
-  // Rhythm and options have to outlive it.
+  // `rhythm` and `options` must outlive it.
   RowAnswers(const ShoulderRhythm& rhythm, const RowOptions& options)
       : rhythm_(rhythm), output_(options.output), columns_(SolveColumns(output_)) {}
 
-  // Throws InputError at the header if a column would stand twice in the output.
+  // Throws InputError at the header if a column would be twice in the output.
   void ExpectNoneIn(const CsvReader& csv) const {
     for (const std::string& name : columns_.names()) {
       if (csv.HasColumn(name)) {
@@ -94,10 +94,10 @@ class RowAnswers {
     }
   }
 
-  // The header of the output behind that of the input, with a line end.
+  // Returns the header of the added columns, to follow the input's header, with a line end.
   [[nodiscard]] std::string HeaderText() const { return "," + columns_.Header() + "\n"; }
 
-  // What is computed of rows; kept by each thread, so that memory is taken once.
+  // Results for rows. Each thread keeps one, so that memory is allocated once.
   struct Solved {
     std::vector<ShoulderPose> poses;
     std::vector<JointAngles> angles_rad;
@@ -108,7 +108,7 @@ class RowAnswers {
 
   [[nodiscard]] Range range() const noexcept { return *rhythm_.options().range; }
 
-  // Solves rows and appends them, each with its answer, to `text`. Returns what became of them.
+  // Solves rows and appends each with its answer to `text`. Returns their tally.
   CommandTally Append(std::string& text, const Rows& rows, Solved& solved) const {
     const std::size_t count = rows.commands.size();
     solved.poses.resize(count);
@@ -147,7 +147,7 @@ class RowAnswers {
   }
 
  private:
-  // Angles of joints are at hand, faster than from their rotations.
+  // The angles of the joints are known, and taking them is faster than computing them again.
   void AddRotations(SolvedRow& row, const ShoulderPose& pose, const JointAngles& joints_rad) const {
     if (output_.form == RotationForm::kQuaternions) {
       row.rotations = RotationsOf(pose, output_.since);
@@ -163,13 +163,13 @@ class RowAnswers {
   WrittenColumns<SolvedRow, RoundedNumbers> columns_;
 };
 
-// Rows of a CSV. One thread at a time takes a block, and reads it while others take theirs.
+// Rows of a CSV. One thread at a time takes a block; all threads read their blocks at once.
 class CsvInput {
  public:
   using Block = CsvBlock;
 
-  // Throws InputError at the header if a column is missing or stands there beside the option that
-  // replaces it. The reader has to outlive it.
+  // Throws InputError at the header if a column is missing, or if it is given beside the option
+  // that replaces it. The reader must outlive it.
   CsvInput(CsvReader& csv, std::uintmax_t bytes, const RowOptions& options)
       : csv_(csv),
         bytes_(bytes),
@@ -184,14 +184,14 @@ class CsvInput {
     }
   }
 
-  // For messages.
+  // Name in messages.
   [[nodiscard]] const std::string& name() const noexcept { return csv_.name(); }
   [[nodiscard]] const std::string& header_line() const noexcept { return csv_.header_line(); }
-  // What axial turns count from; nothing if there are none.
+  // The zero that axial turns count from; nothing if there are none.
   [[nodiscard]] std::optional<AxialFrom> axial_from() const noexcept {
     return axial_from_of_all_ ? axial_from_of_all_ : columns_.axial_from();
   }
-  // All there is of what SizeOf measures; 0 if that is not known.
+  // Total of SizeOf over all blocks; 0 if not known.
   [[nodiscard]] std::uintmax_t size() const noexcept { return bytes_; }
   [[nodiscard]] static std::uintmax_t SizeOf(const Block& block) noexcept {
     return block.text.size();
@@ -228,14 +228,14 @@ class CsvInput {
 // All positions of a sweep, those of the first plane first.
 class SweepInput {
  public:
-  // As many positions as a thread takes at a time: as a CSV has in a block.
+  // As many positions as a thread takes at a time, about as many as a block of a CSV has.
   static constexpr std::size_t kBlock = 1024;
   struct Block {
     std::size_t first = 0;
     std::size_t count = 0;
   };
 
-  // The sweep has to outlive it.
+  // `sweep` must outlive it.
   SweepInput(const SweptPositions& sweep, const RowOptions& options)
       : sweep_(sweep),
         unless_given_(CommandOf(options)),
@@ -302,15 +302,15 @@ class SweepInput {
 
  private:
   const SweptPositions& sweep_;
-  std::vector<double> elevations_rad_;  // as Girdle counts them
+  std::vector<double> elevations_rad_;  // with Girdle's sign
   ArmCommand unless_given_;
   std::optional<AxialFrom> axial_from_;
   std::string header_line_;
-  std::string behind_directions_;  // of every row: what options give all of them
+  std::string behind_directions_;  // columns that options give to every row
   std::size_t taken_ = 0;
 };
 
-// Workers that each take a block of rows, answer it, and write when all before it is written.
+// Workers that each take a block of rows, answer it, and write it after all earlier blocks.
 template <typename Input>
 class RowWorkers {
  public:
@@ -321,17 +321,17 @@ class RowWorkers {
         progress_(progress),
         unwritten_header_(input.header_line() + answers.HeaderText()) {}
 
-  // Answers all rows with so many threads and returns what became of them. Throws the first error
-  // in the order of the rows.
+  // Answers all rows with `threads` threads and returns their tally. Throws the first error in the
+  // order of the rows.
   CommandTally Run(std::size_t threads) {
     std::vector<std::jthread> workers;
-    // Of several, none is this thread: what it writes lies beside what all of them read, and they
-    // would wait for each other's caches.
+    // If there are several workers, this thread is none of them: the memory that it writes is next
+    // to memory that all workers read, and they would wait for each other's caches.
     for (std::size_t i = 0; threads > 1 && i < threads; ++i) {
       try {
         workers.emplace_back([this] { Work(); });
       } catch (const std::system_error&) {
-        break;  // no more threads are to be had: these will do
+        break;  // the system gives no more threads; those that run suffice
       }
     }
     if (workers.empty()) {
@@ -357,7 +357,7 @@ class RowWorkers {
     std::exception_ptr error;
   };
 
-  // What a worker needs and keeps from one portion to the next.
+  // Memory that a worker keeps from one portion to the next.
   struct Workplace {
     explicit Workplace(const Input& input) : reader(input) {}
 
@@ -377,8 +377,8 @@ class RowWorkers {
     }
   }
 
-  // Takes the next rows, or the error in their place. Returns false if there is nothing left to do.
-  // Nobody waits for input while an answer or an error is on its way.
+  // Takes the next rows, or the error in their place. Returns false if no rows are left. Before it
+  // waits for input, it waits until all answers are written or an error has occurred.
   [[nodiscard]] bool Take(Portion& portion) {
     const std::lock_guard reading(reading_);
     portion.error = nullptr;
@@ -410,7 +410,7 @@ class RowWorkers {
     }
   }
 
-  // Writes the answer when it is its turn. After an error nothing is written any more.
+  // Writes the answer when its turn comes. After an error nothing more is written.
   void Write(const Portion& portion) {
     std::unique_lock writing(writing_);
     written_.wait(writing, [&] { return turns_written_ == portion.turn || error_; });
@@ -440,22 +440,22 @@ class RowWorkers {
 
   const RowAnswers& answers_;
 
-  // Locked before writing_ where both are.
+  // Is locked before writing_ where both are locked.
   std::mutex reading_;
   Input& input_;
   std::size_t turns_taken_ = 0;
 
   std::mutex writing_;
-  std::condition_variable written_;  // or failed
+  std::condition_variable written_;  // a portion was written, or an error has occurred
   OutputFile& out_;
   TerminalProgress& progress_;
   std::uintmax_t size_done_ = 0;
   CommandTally tally_;  // of the rows that are written
   AngleSpan span_;
-  std::string unwritten_header_;  // empty when it is written, which is with the first rows
+  std::string unwritten_header_;  // empty after it was written with the first rows
   std::size_t turns_written_ = 0;
   std::exception_ptr error_;  // the first in the order of the rows
-  // As error_ says, for those who do not lock writing_: it is locked while a block is written.
+  // Whether error_ is set, for threads that do not lock writing_, which is locked during a write.
   std::atomic<bool> is_stopped_ = false;
 };
 

@@ -17,25 +17,26 @@
 
 namespace girdle {
 
-/// Where rows come from.
+/// Input of rows.
 struct RowSource {
   std::istream& in;
   std::string name;      ///< for messages
-  std::uintmax_t bytes;  ///< to come; 0 if that is not known
+  std::uintmax_t bytes;  ///< remaining in the input; 0 if not known
 };
 
-/// All combinations of these, in the order of the output: the elevations of the first plane, then
-/// those of the next. Neither is empty. As they were typed: elevations have the sign of the
-/// convention of RowOptions and are ones of ElevationRead_deg, planes may be whole turns on.
+/// All combinations of these elevations and planes, in the order of the output: the elevations of
+/// the first plane, then those of the next. Neither list is empty. Values are as typed: elevations
+/// have the sign of the convention of RowOptions and are valid for ElevationRead_deg, planes may
+/// have whole turns added.
 struct SweptPositions {
   std::vector<double> elevations_deg;
   std::vector<double> planes_deg;
 };
 
-/// What all rows have in common.
+/// Options that apply to all rows.
 struct RowOptions {
   AngleReading reading;
-  /// In place of their columns, which must not be there then.
+  /// Values for all rows. The input must not have columns for those that are given.
   std::optional<double> axial_deg;
   std::optional<double> shrug_deg;
   std::optional<double> protraction_deg;
@@ -43,24 +44,24 @@ struct RowOptions {
   std::size_t threads = 1;  ///< at least 1
 };
 
-/// Writes every row of `source` with its SolveColumns behind it to `out` (`-` is standard output),
-/// in their order and with the same bytes whatever the number of threads. Memory does not grow with
-/// the number of rows. Whenever it has to wait for its input, all rows that came are answered, on
-/// standard output too.
+/// Writes every row of `source` followed by its SolveColumns to `out` (`-` is standard output).
+/// Rows stay in their order, and the bytes do not depend on the number of threads. Memory does not
+/// grow with the number of rows. Before it waits for more input, it writes the answers to all rows
+/// that came, to standard output too.
 ///
-/// Throws InputError, with file and line, at the first row that cannot be solved. A file that was
-/// to be written is then as it was before; standard output has whole rows from before that row. A
-/// stream that looks like radians (AngleSpan) shows only at its end; a file is to be asked before,
-/// with ExpectKnownUnit. At the end standard error has the line of TallyText.
+/// Throws InputError, with file and line, at the first row that cannot be solved. An output file
+/// then is as it was before; standard output has whole rows, all from before that row. A stream
+/// that looks like radians (AngleSpan) is recognised only at its end; check a file with
+/// ExpectKnownUnit first. At the end, the line of TallyText is written to standard error.
 void SolveRows(const RowSource& source, const std::string& out, const ShoulderRhythm& rhythm,
                const RowOptions& options);
 
-/// Throws InputError if the rows of a file look like radians and options do not say their unit.
-/// Reads no further than the first row that does not.
+/// Throws InputError if the rows of a file look like radians and the options do not give the unit.
+/// Stops reading at the first row that does not look like radians.
 void ExpectKnownUnit(const std::string& path, const AngleReading& reading);
 
-/// Writes what SolveRows would write for a CSV with a row for each position: elevation and plane as
-/// they were typed and, of axial turn and offsets, those that the options give.
+/// Writes what SolveRows would write for a CSV with a row for each position. The columns are
+/// elevation and plane as typed, and those of axial turn and offsets that the options give.
 void SolveSweep(const SweptPositions& sweep, const std::string& out, const ShoulderRhythm& rhythm,
                 const RowOptions& options);
 

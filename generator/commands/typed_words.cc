@@ -14,14 +14,14 @@
 namespace girdle {
 namespace {
 
-// Names of before version 0.2; to be removed with the version after it.
+// Names from before version 0.2. Remove them with the version that follows 0.2.
 struct Renaming {
   std::string_view old_name;
   std::string_view new_name;
 };
 constexpr std::array<Renaming, 3> kRenamedVerbs = {
     {{"continuity", "smoothness"}, {"destep", "smooth-table"}, {"thorax", "fit-thorax"}}};
-// A verb knows an old option if it has the new one.
+// A verb recognises an old option if it has the new one.
 constexpr std::array<Renaming, 9> kRenamedOptions = {{{"--raise", "--elevation"},
                                                       {"--motion", "--in"},
                                                       {"--trace", "--out"},

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// Words of the command line that are not known, and what the user meant by them.
+/// Unknown words of the command line, and suggestions of known ones.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -10,7 +10,7 @@
 
 namespace girdle {
 
-/// Throws InputError at the first word of the command line that cannot be right:
+/// Throws InputError at the first word of the command line that is surely wrong:
 ///
 /// - an empty word, or an option with an empty value, which a shell variable without value leaves;
 /// - a first word that is no verb and no option of the program;

@@ -38,15 +38,15 @@ struct VerifyArguments {
   bool json = false;
 };
 
-// Where the arm of a mapped model is moved to unless told otherwise: from the lowest elevation at
-// which a clavicle was measured to what people reach, and from somewhat behind the frontal plane to
+// Default directions of the arm of a mapped model. Elevation: from the lowest at which a clavicle
+// was measured to the highest that people reach. Plane: from somewhat behind the frontal plane to
 // somewhat across the chest.
 constexpr const char* kDefaultElevation = "30:150:10";
 constexpr const char* kDefaultPlane = "-30:120:10";
 constexpr SweptAngle kElevationSweep = {"--elevation", kDefaultElevation, 0, kHalfCircle_deg,
                                         kElevationsFromHanging};
 constexpr SweptAngle kPlaneSweep = {"--plane", kDefaultPlane, -kHalfCircle_deg, kHalfCircle_deg};
-// Of each angle; a finer grid tells nothing more and takes minutes.
+// Most values of each angle. A finer grid gives no new information and takes minutes.
 constexpr std::uint64_t kMostValues = 181;
 
 ReportChoice ChosenForm(const VerifyArguments& arguments) {
@@ -58,7 +58,7 @@ ReportChoice ChosenForm(const VerifyArguments& arguments) {
   if (arguments.json) {
     choice.form = ReportForm::kJson;
   } else if (arguments.full && !IsTerminal()) {
-    // One line a residual, for programs that search lines.
+    // Each residual has one line, so that programs can search by line.
     choice.style.width = std::numeric_limits<std::size_t>::max();
   }
   return choice;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// Options of the command line that take one of some words.
+/// Options of the command line whose value is one of a few words.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@
 
 namespace girdle {
 
-/// Returns the value that `word` stands for; nothing if the option was not given (an empty word).
+/// Returns the enumerator that `word` names; nothing if the option is not given (an empty word).
 /// Throws InputError with the known words.
 template <HasWords Enumeration>
 [[nodiscard]] std::optional<Enumeration> ChosenWord(const std::string& option,
@@ -31,7 +31,8 @@ template <HasWords Enumeration>
   return chosen;
 }
 
-/// Sets `chosen` to what `word` says; an option that was not given leaves it. Throws as ChosenWord.
+/// Sets `chosen` to the enumerator that `word` names. If the option is not given, `chosen` stays as
+/// it is. Throws as ChosenWord.
 template <HasWords Enumeration>
 void ChooseWord(const std::string& option, const std::string& word, Enumeration& chosen) {
   chosen = ChosenWord<Enumeration>(option, word).value_or(chosen);

@@ -91,10 +91,10 @@ AssembledRhythm AssembledOf(const LoadedShoulders& simulation, ShoulderRhythm rh
   }
 }
 
-// Refuses a model that moves otherwise than the user says.
+// Refuses a model whose rhythm differs from the user's choice.
 void ExpectRhythm(const LoadedShoulders& simulation, const RhythmChoice& said) {
   if (!simulation.has_plugin()) {
-    return;  // follows whatever it is given
+    return;  // position servos follow any rhythm
   }
   const RhythmChoice model_says = OwnChoice(simulation);
   const ResolvedRhythm own = Resolve(model_says);
@@ -103,7 +103,7 @@ void ExpectRhythm(const LoadedShoulders& simulation, const RhythmChoice& said) {
     throw InputError(simulation.name() + ": the model uses another " + what +
                      ". Make one that does with girdle generate and the same options");
   };
-  // Whether there is such a rhythm.
+  // Throws if there is no such rhythm.
   static_cast<void>(RhythmOf(simulation, wanted));
   if (own.options.interpolation != wanted.options.interpolation) {
     refuse("interpolation than " + std::string(Name(wanted.options.interpolation)));
@@ -119,7 +119,7 @@ void ExpectRhythm(const LoadedShoulders& simulation, const RhythmChoice& said) {
   }
 }
 
-// The model asked for, watched on the side asked for, with the rhythm that it follows.
+// Loads the model and returns it with the rhythm that it follows, watched on the chosen side.
 ShoulderSimulation SimulationFor(const std::string& model_path, std::optional<Side> side,
                                  const RhythmChoice& said) {
   LoadedShoulders loaded(LoadModel(model_path), model_path);
@@ -141,12 +141,12 @@ DampingScheme SchemeOf(const mjOption& option) {
                                                          : DampingScheme::kImplicit;
 }
 
-// What the plugin would say of the time step, were it in the model.
+// Returns the plugin's message about this time step, for models without the plugin.
 std::string StepFault(const mjOption& option, Assembly assembly) {
   return TimestepFault(option.timestep, assembly, SchemeOf(option));
 }
 
-// What the plugin would say of its loop.
+// Returns the plugin's message about an open loop, for models without the plugin.
 std::string OpenLoopFaultOf(const mjModel& model, const ShoulderElements& elements) {
   const int clavicle = elements.bodies[static_cast<std::size_t>(Segment::kClavicle)];
   const int scapula = elements.bodies[static_cast<std::size_t>(Segment::kScapula)];
@@ -169,7 +169,7 @@ std::string OpenLoopFaultOf(const mjModel& model, const ShoulderElements& elemen
   return OpenLoopFault(closing);
 }
 
-// What the plugin would say of a model without it.
+// Returns the plugin's first message about a model, for models without the plugin.
 std::string PositionModelFault(const LoadedShoulders& loaded) {
   const mjModel& model = loaded.model();
   double widest_rad = 0;
@@ -191,7 +191,7 @@ std::string PositionModelFault(const LoadedShoulders& loaded) {
   return first == faults.end() ? "" : *first;
 }
 
-// Refuses to write controls that say less than the model does.
+// Refuses to write controls if the model's commands contain more than position servos can follow.
 void ExpectControls(const ShoulderSimulation& simulation) {
   if (simulation.has_plugin() && simulation.elements().rate_controls.front() >= 0) {
     throw InputError(simulation.name() +
@@ -230,7 +230,7 @@ SimulationSummary Simulate(const std::string& model_path, const std::string& plu
   }
   const Motion asked =
       RequestedMotion(request, request.axial_from.value_or(OwnAxialFrom(simulation.loaded())));
-  // The rates are those of the model's own commands.
+  // The rates are those of the commands in the model's own counting of axial turns.
   const Motion motion = {asked.name, asked.duration_s, [&simulation, &asked](double time_s) {
                            return simulation.AsModelCounts(asked.command(time_s));
                          }};
@@ -261,7 +261,7 @@ SimulationSummary Simulate(const std::string& model_path, const std::string& plu
   }
   std::string row;
   for (long step = 0; step <= steps; ++step) {
-    // The last state has no step after it.
+    // After the last state there is no further step.
     const double time_s = static_cast<double>(step) * timestep_s;
     const ShoulderState state =
         step < steps ? simulation.Step(command_at(step), RateOf(motion, time_s, timestep_s))
@@ -302,7 +302,7 @@ std::string KeyframeNames(const mjModel& model) {
   return names;
 }
 
-// What the user meant by a keyframe that the model does not have; ends in a blank unless empty.
+// Returns a hint at the keyframe that the user meant. It ends in a blank unless it is empty.
 std::string MeantKeyframe(const mjModel& model, const std::string& name) {
   const std::vector<std::string_view> names = KeyframesOf(model);
   // Its name before version 0.2.
@@ -317,7 +317,7 @@ std::string MeantKeyframe(const mjModel& model, const std::string& name) {
   return DidYouMean(name, names);
 }
 
-// Number of the keyframe asked for; -1 for where the model starts.
+// Returns the number of the chosen keyframe; -1 for the model's initial pose.
 int KeyframeOf(const mjModel& model, const std::string& model_name, const std::string& name) {
   const std::string wanted = name.empty() ? std::string(kHangingName) : name;
   const int key = mj_name2id(&model, mjOBJ_KEY, wanted.c_str());
@@ -330,7 +330,7 @@ int KeyframeOf(const mjModel& model, const std::string& model_name, const std::s
   return key;
 }
 
-// Puts the arms where the request has them.
+// Puts the arms into the pose of the request.
 void Pose(ShoulderSimulation& simulation, const RenderRequest& request,
           std::optional<ArmCommand>& used_instead) {
   const AssembledRhythm& rhythm = simulation.rhythm();
@@ -362,7 +362,7 @@ RenderResult Render(const std::string& model_path, const std::string& plugin,
   const int key = at == nullptr ? -1 : KeyframeOf(*model, model_path, at->name);
   RenderResult result;
   if (at != nullptr && request.girdle == GirdleMotion::kMeasured && !request.side) {
-    // Any model can be drawn as it is.
+    // At a keyframe, without a side and a frozen girdle, any model can be drawn as it is.
     FrameRenderer renderer(*model, model_path, request.view);
     const DataPointer data = MakeData(*model);
     if (key >= 0) {
@@ -392,7 +392,7 @@ std::string DescribeRenderer() { return GlContext().Description(); }
 
 std::string FfmpegPath() { return FindFfmpeg().string(); }
 
-// What was verified: sides, assembly, what moves the joints.
+// Returns the kind of the model: sides, assembly, actuation.
 std::string KindOf(const ShoulderSimulation& simulation) {
   const ShoulderElements& elements = simulation.elements();
   std::string text;
@@ -408,7 +408,7 @@ std::string KindOf(const ShoulderSimulation& simulation) {
          (axial_from == AxialFrom::kRhythm ? "" : ", axial from " + std::string(Name(axial_from)));
 }
 
-// The anatomy that a model carries; nothing if it carries none.
+// Returns the anatomy that a model carries; nothing if it carries none.
 std::optional<Anatomy> OwnAnatomy(const LoadedShoulders& loaded) {
   const mjModel& model = loaded.model();
   const int text = mj_name2id(&model, mjOBJ_TEXT, std::string(kAnatomyName).c_str());
@@ -421,7 +421,7 @@ std::optional<Anatomy> OwnAnatomy(const LoadedShoulders& loaded) {
       loaded.name() + ": <text name=\"" + std::string(kAnatomyName) + "\">");
 }
 
-// What a reader of the report has to know of the anatomy that the bones are compared with.
+// Returns a remark on the anatomy that the bones are compared with.
 std::string AnatomyRemark(const std::optional<Anatomy>& said, const std::optional<Anatomy>& own) {
   if (said && own && !IsSame(*said, *own)) {
     return "The model was generated with another anatomy than --anatomy, --ellipsoids or the "

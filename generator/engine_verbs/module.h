@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// What the program asks of the library that runs MuJoCo. The program loads it when a verb needs
-/// it, so that the other verbs work where there is no MuJoCo.
+/// The interface between the program and the library that runs MuJoCo. The program loads the
+/// library when a verb needs it, so that the other verbs work without MuJoCo.
 #pragma once
 
 #include <cstdint>
@@ -41,68 +41,69 @@ struct MotionFile {
 
 struct MotionRequest {
   std::variant<ReachingRequest, MotionFile> motion;
-  /// What axial turns of a file are counted from; nothing for what the model counts from.
+  /// The zero that axial turns of a file count from; nothing for the model's own.
   std::optional<AxialFrom> axial_from = std::nullopt;
-  /// Shoulder of the trace; nothing for the model's first.
+  /// Shoulder of the trace; nothing for the model's first shoulder.
   std::optional<Side> side = std::nullopt;
 };
 
-/// How far the joint of a loop opened.
+/// Largest opening of the joint of a loop during a simulation.
 struct LoopGap {
-  std::string name;  ///< of the equality that closes it
+  std::string name;  ///< name of the equality constraint that closes the joint
   double gap_m = 0;
 };
 
 struct SimulationSummary {
-  /// The simulated states, which are the rows of the trace. Clamped are those whose command lay
-  /// outside the rhythm's or the controls' ranges.
+  /// Counts of the simulated states, which are the rows of the trace. A state is clamped if its
+  /// command lay outside the range of the rhythm or of the controls.
   CommandTally tally;
-  Range range = Range::kWhole;  ///< of the rhythm
-  /// What axial turns of the file of the motion count from; nothing if there are none.
+  Range range = Range::kWhole;  ///< range of the rhythm
+  /// The zero that axial turns of the file of the motion count from; nothing if it has none.
   std::optional<AxialFrom> axial_from = std::nullopt;
-  double duration_s = 0;       ///< simulated
+  double duration_s = 0;       ///< simulated time
   double worst_error_deg = 0;  ///< largest difference of a joint from its target
-  double last_error_deg = 0;   ///< the same in the last row
-  long frames = 0;             ///< of the video
-  /// The farthest, of each loop of the model; none of trees.
+  double last_error_deg = 0;   ///< largest difference of a joint from its target in the last row
+  long frames = 0;             ///< frames of the video
+  /// The largest gap of each loop of the model. Empty for trees.
   std::vector<LoopGap> loop_gaps;
 };
 
-/// Where a simulation goes.
+/// Receivers of the output of a simulation.
 struct SimulationSinks {
-  /// Told before anything is written about how many bytes trace and controls become; may throw.
+  /// Called before anything is written, with the approximate bytes of trace and controls. May
+  /// throw.
   std::function<void(std::uintmax_t trace, std::uintmax_t controls)> sizes;
   TextSink trace;
   TextSink controls;  ///< null for none
-  TextSink hint;      ///< a line without its end about the motion, before it is simulated
+  TextSink hint;  ///< a line about the motion, without its line end; comes before the simulation
 };
 
-/// A pose that the model has a name for.
+/// A pose given by the name of a keyframe of the model.
 struct AtKeyframe {
-  /// Empty for `hanging` or, if the model has none, for where it starts.
+  /// Empty for `hanging` or, if the model has no such keyframe, for the model's initial pose.
   std::string name;
 };
 
-/// A picture of a model that is put into a pose, without simulating.
+/// A picture of a model in a pose, without a simulation.
 struct RenderRequest {
-  /// Where the model is put, or where the rhythm takes the shoulders.
+  /// A keyframe of the model, or a command whose pose the rhythm gives.
   std::variant<AtKeyframe, ArmCommand> pose;
-  /// The shoulder that the command and `girdle` are for, while another one rests; nothing for all.
+  /// The shoulder that `pose` and `girdle` apply to, while the other one rests; nothing for all.
   std::optional<Side> side;
   GirdleMotion girdle = GirdleMotion::kMeasured;
   View view;
 };
 
 struct RenderResult {
-  std::string png;  ///< a PNG file
-  /// Where the command lay outside the rhythm's range: the one used in its place.
+  std::string png;  ///< bytes of a PNG file
+  /// The command used instead, if the command lay outside the rhythm's range.
   std::optional<ArmCommand> used_instead;
 };
 
-/// A model that is not ours, and where its arm is moved to [deg].
+/// A model that Girdle did not generate, and the directions its arm is moved to [deg].
 struct MappedModel {
   std::string model;
-  std::string mapping;  ///< file in the format of tables/model_mapping.h
+  std::string mapping;  ///< file in the format of simulation/model_mapping.h
   std::vector<double> elevations_deg;
   std::vector<double> planes_deg;
 };
@@ -114,13 +115,14 @@ struct VerifyResult {
 
 /// The functions of the library. All throw InputError.
 ///
-/// `rhythm` is what the user says of it, over what the model says. Position servos know none: they
-/// follow what is said here, or the defaults. Of a model with the plugin: `verify` holds a model
-/// against it instead of against what the model says; `simulate` refuses a model that says
-/// otherwise.
+/// `rhythm` has the parts of the rhythm that the user chose. They take precedence over the model's.
+/// A model with position servos does not store its rhythm: the chosen parts apply, and defaults for
+/// the rest. A model with the plugin stores its rhythm: `verify` compares the model with the chosen
+/// rhythm instead, and `simulate` refuses a choice that differs from the model's.
 struct SimulationModule {
-  /// Loads a model that is not written yet, the first of (name, text) with what it includes, with
-  /// the plugin, and returns a line that says what MuJoCo found in it.
+  /// Loads a model from texts that are not written to disk yet, with the plugin. The model is the
+  /// first of `files` (name, text); the others are files that it includes. Returns a line on what
+  /// MuJoCo found in it.
   std::string (*check_model)(const std::vector<std::pair<std::string, std::string>>& files,
                              const std::string& plugin);
   SimulationSummary (*simulate)(const std::string& model, const std::string& plugin,
@@ -129,18 +131,19 @@ struct SimulationModule {
                                 const ProgressSink& progress);
   RenderResult (*render)(const std::string& model, const std::string& plugin,
                          const RenderRequest& request, const RhythmChoice& rhythm);
-  /// Says what draws pictures here: `EGL device, llvmpipe (LLVM 15.0.6, 256 bits)`.
+  /// Returns the means by which pictures are drawn here: `EGL device, llvmpipe (LLVM 15.0.6, 256
+  /// bits)`.
   std::string (*describe_renderer)();
-  /// Returns where the ffmpeg is that makes videos; empty if there is none.
+  /// Returns the path of the ffmpeg that makes videos; empty if there is none.
   std::string (*find_ffmpeg)();
-  /// Compares the model's bones with `anatomy` or, if that is empty, with the anatomy that the
-  /// model carries; a model that carries none is compared with the built-in one. Its skin is
+  /// Compares the model's bones with `anatomy`. If `anatomy` is empty, compares with the anatomy
+  /// that the model carries, or with the built-in one if the model carries none. The skin is
   /// measured on a girdle that moves as `girdle` says.
   VerifyResult (*verify)(const std::string& model, const std::string& plugin,
                          const RhythmChoice& rhythm, const std::optional<Anatomy>& anatomy,
                          GirdleMotion girdle, const ReportChoice& form,
                          const ProgressSink& progress);
-  /// Holds the girdle of any model against the measured rhythm, by default that of `girdle solve`.
+  /// Compares the girdle of any model with the measured rhythm, by default that of `girdle solve`.
   VerifyResult (*verify_mapped)(const MappedModel& mapped, const std::string& plugin,
                                 const RhythmChoice& rhythm, const ReportChoice& form,
                                 const ProgressSink& progress);

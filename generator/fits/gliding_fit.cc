@@ -20,7 +20,7 @@
 namespace girdle {
 namespace {
 
-// The weight w of the header.
+// The weight w of the header is made from these two lengths.
 constexpr double kScatter_m = 0.004;
 constexpr double kRibcageDeviation_m = 0.07;
 constexpr double kRibcageWeight = kScatter_m / kRibcageDeviation_m;
@@ -31,7 +31,8 @@ constexpr double kLargest_m = 1;
 using Numbers = Eigen::Matrix<double, kNumbers, 1>;
 using Slopes = Eigen::Matrix<double, 1, kNumbers>;
 
-// The solver's variables: centre [m] and logarithms of the radii, which so stay positive.
+// Returns the ellipsoid of the solver's variables: centre [m] and logarithms of the radii.
+// Logarithms keep the radii positive.
 Ellipsoid EllipsoidFrom(const Eigen::VectorXd& x) {
   return {{x[0], x[1], x[2]}, {std::exp(x[3]), std::exp(x[4]), std::exp(x[5])}};
 }
@@ -44,10 +45,10 @@ Eigen::VectorXd VariablesOf(const Ellipsoid& ellipsoid) {
   return x;
 }
 
-// Of the distance d = n . (p - x) of a point p whose nearest on the surface is x, by centre and
-// radii: dd/dc_i = -n_i, as the surface moves with its centre, and dd/dr_i = -n_i (x_i - c_i) /
-// r_i, as a longer radius stretches it in proportion. That x moves along the surface does not
-// count.
+// Returns the derivatives of the distance d = n . (p - x) by centre and radii, for a point p with
+// the nearest surface point x. dd/dc_i = -n_i, because the surface moves with its centre. dd/dr_i =
+// -n_i (x_i - c_i) / r_i, because a longer radius stretches the surface in proportion. The shift of
+// x along the surface has no effect.
 Slopes SlopesOf(const SurfacePoint& nearest, const Ellipsoid& ellipsoid) {
   const Vector3 by_radii =
       -nearest.normal * (nearest.position_m - ellipsoid.center_m) / ellipsoid.radii_m;
@@ -57,7 +58,7 @@ Slopes SlopesOf(const SurfacePoint& nearest, const Ellipsoid& ellipsoid) {
   return slopes;
 }
 
-// What the solver makes least, in the form that it asks for.
+// The residuals whose squares the solver minimizes, in the solver's interface.
 class GlidingResiduals {
  public:
   GlidingResiduals(std::span<const Vector3> points_m, const Ellipsoid& ribcage)
@@ -79,7 +80,7 @@ class GlidingResiduals {
     return 0;
   }
 
-  // Derivatives by the solver's variables.
+  // Computes the derivatives by the solver's variables.
   int df(const Eigen::VectorXd& x, Eigen::MatrixXd& jacobian) const {
     const Ellipsoid ellipsoid = EllipsoidFrom(x);
     jacobian = SlopesByNumbers(ellipsoid);
@@ -89,7 +90,7 @@ class GlidingResiduals {
     return 0;
   }
 
-  // Derivatives by centre and radii.
+  // Returns the derivatives by centre and radii.
   [[nodiscard]] Eigen::MatrixXd SlopesByNumbers(const Ellipsoid& ellipsoid) const {
     Eigen::MatrixXd slopes(values(), kNumbers);
     Eigen::Index row = 0;
@@ -108,7 +109,7 @@ class GlidingResiduals {
 
 bool IsOfBodySize(const Ellipsoid& ellipsoid) {
   for (int i = 0; i < 3; ++i) {
-    // So that a NaN is none.
+    // Written so that a NaN fails too.
     if (!(std::abs(ellipsoid.center_m[i]) <= kLargest_m) || !(ellipsoid.radii_m[i] <= kLargest_m)) {
       return false;
     }
@@ -116,8 +117,8 @@ bool IsOfBodySize(const Ellipsoid& ellipsoid) {
   return true;
 }
 
-// Square roots of the diagonal of s^2 (J^T J)^-1, J with the pull's rows, s the scatter of the
-// points.
+// Returns the square roots of the diagonal of s^2 (J^T J)^-1. J includes the rows of the pull
+// toward the rib cage, and s is the scatter of the points.
 Ellipsoid DeviationOf(const GlidingResiduals& residuals, std::span<const Vector3> points_m,
                       const Ellipsoid& ellipsoid) {
   double square_sum = 0;
@@ -157,7 +158,7 @@ EllipsoidFit FitEllipsoid(std::span<const Vector3> points_m, const Ellipsoid& ri
   }
   GlidingResiduals residuals(points_m, ribcage);
   Eigen::LevenbergMarquardt<GlidingResiduals> solver(residuals);
-  // As far as rounding lets it go; it takes some ten steps.
+  // The solver goes on until rounding stops it, which takes about ten steps.
   solver.parameters.ftol = solver.parameters.xtol = 1e-14;
   Eigen::VectorXd x = VariablesOf(ribcage);
   static_cast<void>(solver.minimize(x));

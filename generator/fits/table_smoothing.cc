@@ -16,20 +16,20 @@
 namespace girdle {
 namespace {
 
-// Rows that one third difference joins, and the steps between them.
+// Rows that one third difference joins.
 constexpr std::size_t kJoinedRows = 4;
 constexpr std::size_t kJoinedSteps = kJoinedRows - 1;
-// Among kJointNames.
+// Index in kJointNames.
 constexpr std::size_t kGhIndex = 2;
 
-// The matrix [v] of the cross product, [v] u = v x u.
+// Returns the matrix [v] of the cross product, [v] u = v x u.
 Matrix3 CrossMatrix(const Vector3& v) {
   return {Vector3(0, v.z, -v.y), Vector3(-v.z, 0, v.x), Vector3(v.y, -v.x, 0)};
 }
 
-// K of equation (5).
+// Returns K of equation (5).
 Matrix3 InverseRightJacobian(const Vector3& v) {
-  // Below this angle the second term of the series is the last that counts:
+  // Below this angle the third and later terms of the series are below rounding:
   // (1 - x/2 cot(x/2)) / x^2 = 1/12 + x^2/720 + x^4/30240 + ...
   constexpr double kSmallAngle = 1e-3;
   constexpr double kSeriesConstant = 1.0 / 12;
@@ -42,8 +42,9 @@ Matrix3 InverseRightJacobian(const Vector3& v) {
   return Matrix3(1) + 0.5 * cross + factor * cross * cross;
 }
 
-// Symmetric positive definite equations A d = b for one vector a row, where a row meets only those
-// that a third difference joins to it. Solved by Cholesky's A = L L^T within that band.
+// Symmetric positive definite equations A d = b, with one vector for each row of the table. A joins
+// a row only to rows that share a third difference with it. Solve uses Cholesky's A = L L^T within
+// that band.
 class BandedEquations {
  public:
   explicit BandedEquations(std::size_t rows) : lower_(3 * rows), right_side_(3 * rows) {}
@@ -63,7 +64,7 @@ class BandedEquations {
     }
   }
 
-  // Returns d. Not finite if A is not positive definite. Uses the equations up.
+  // Returns d, which is not finite if A is not positive definite. Overwrites the equations.
   [[nodiscard]] std::vector<Vector3> Solve() {
     const std::size_t size = right_side_.size();
     for (std::size_t i = 0; i < size; ++i) {
@@ -96,7 +97,7 @@ class BandedEquations {
   }
 
  private:
-  // Entries of a line from the first that can differ from zero to the diagonal.
+  // Entries in a line from the first that can be nonzero to the diagonal.
   static constexpr std::size_t kBand = 3 * kJoinedRows;
 
   [[nodiscard]] static std::size_t FirstColumn(std::size_t line) {
@@ -110,7 +111,7 @@ class BandedEquations {
   std::vector<double> right_side_;
 };
 
-// t_i of equation (3) as a weighted sum of w_i, w_i+1, w_i+2, and what its square counts.
+// t_i of equation (3) as a weighted sum of w_i, w_i+1, w_i+2, and the weight of its square.
 struct ThirdDifference {
   std::array<double, kJoinedSteps> weights;
   double penalty;  ///< lambda p_i
@@ -127,7 +128,7 @@ ThirdDifference ThirdDifferenceFrom(const double* elevations_rad, double penalty
   return {{first / h[0], -(first + second) / h[1], second / h[2]}, penalty};
 }
 
-// w of equation (2): entry i is the way from row i to row i + 1.
+// Returns w of equation (2): entry i is the rotation vector from row i to row i + 1.
 std::vector<Vector3> WaysBetween(const std::vector<Quaternion>& rows) {
   std::vector<Vector3> ways(rows.size() - 1);
   for (std::size_t i = 0; i < ways.size(); ++i) {
@@ -136,7 +137,7 @@ std::vector<Vector3> WaysBetween(const std::vector<Quaternion>& rows) {
   return ways;
 }
 
-// The Gauss-Newton step d_i of (1) for rows r near the measured q.
+// Returns the Gauss-Newton step d_i of (1) for rows r near the measured q.
 std::vector<Vector3> GaussNewtonStep(const std::vector<Quaternion>& q,
                                      const std::vector<Quaternion>& r,
                                      const std::vector<ThirdDifference>& differences) {
@@ -169,13 +170,13 @@ std::vector<Vector3> GaussNewtonStep(const std::vector<Quaternion>& q,
   return equations.Solve();
 }
 
-// Moves `r` from the measured `q` to where (1) is least. Returns false if the steps do not settle.
+// Moves `r` from the measured `q` to the minimum of (1). Returns false if the steps do not settle.
 [[nodiscard]] bool Settle(const std::vector<Quaternion>& q,
                           const std::vector<ThirdDifference>& differences,
                           std::vector<Quaternion>& r) {
   // A measured table takes five steps.
   constexpr int kMostSteps = 50;
-  // Ten times what rounding leaves at kLargestPenalty.
+  // Ten times the rounding at kLargestPenalty.
   constexpr double kSettled_rad = 1e-11;
   r = q;
   for (int step = 0; step < kMostSteps; ++step) {
@@ -207,7 +208,7 @@ Vector3 EulerAngles(const RhythmTable& table, std::size_t joint, std::size_t pla
   return {angles_rad[3 * joint], angles_rad[3 * joint + 1], angles_rad[3 * joint + 2]};
 }
 
-// The rotations of one joint along the elevations of one plane.
+// Returns the rotations of one joint along the elevations of one plane.
 std::vector<Quaternion> Rows(const RhythmTable& table, std::size_t joint, std::size_t plane) {
   std::vector<Quaternion> rows(table.elevations_rad().size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -230,7 +231,7 @@ JointBend BendOf(const RhythmTable& table, std::size_t joint) {
       };
       bend.rotation.Add(glm::length(bend_at(w[i - 1], w[i])), plane, i);
 
-      // The short way round from angle to angle.
+      // Returns the difference of each angle by the shorter way around.
       const auto euler_way = [&](std::size_t from) {
         Vector3 way =
             EulerAngles(table, joint, plane, from + 1) - EulerAngles(table, joint, plane, from);

@@ -20,7 +20,7 @@ double AngleFromRectangle(const ArmRectangle& rectangle, double elevation_rad,
   }
   const double lowest = rectangle.lowest_elevation_rad;
   const double highest = rectangle.highest_elevation_rad;
-  // The plane from the middle of the rectangle's, in [-pi, pi].
+  // The plane relative to the middle of the rectangle's planes, in [-pi, pi].
   const double middle = (rectangle.first_plane_rad + rectangle.last_plane_rad) / 2;
   const double half_width = (rectangle.last_plane_rad - rectangle.first_plane_rad) / 2;
   const double beyond = std::abs(std::remainder(plane_rad - middle, 2 * kPi)) - half_width;

@@ -38,7 +38,7 @@ ArmDirectionOf<double> ValuesOf(const ArmDirectionOf<Jet<double, Order>>& direct
   return {ValueOf(direction.elevation_rad), ValueOf(direction.plane_rad)};
 }
 
-// A plane of the chart as it follows from the last one on.
+// Returns a plane of the chart, continued upward from the last plane.
 template <typename T>
 T Turned(const T& plane_rad) noexcept {
   return ValueOf(plane_rad) < kMiddlePlane_rad ? plane_rad + T(2 * kPi) : plane_rad;
@@ -52,9 +52,9 @@ ArmReach::ArmReach(double first_plane_rad) noexcept
   if (centre_plane_rad_ >= kFirstPlane_rad) {
     corner_elevation_rad_ = kCentreElevation_rad - kRadius_rad;
   } else {
-    // On the circle: cos R = cos(centre) cos(theta) + sin(centre) cos(psi - psi of the centre)
-    // sin(theta), the lower one of two elevations at the first plane; where it touches they are
-    // one.
+    // On the circle, cos R = cos(centre) cos(theta) + sin(centre) cos(psi - psi of the centre)
+    // sin(theta). The corner is the lower of the two elevations at the first plane. They are equal
+    // where the circle touches that plane.
     const double sine = kCentreSine * std::cos(kFirstPlane_rad - centre_plane_rad_);
     const double length = std::hypot(sine, kCentreCosine);
     corner_elevation_rad_ =
@@ -76,8 +76,9 @@ double ArmReach::LowestPlaneAt(double elevation_rad) const noexcept {
   return std::min(centre_plane_rad_ + std::acos(std::clamp(cosine, -1.0, 1.0)), free_plane_rad_);
 }
 
-// Where the great circle from the centre through the direction meets the circle. In axes of the
-// centre's own: along its parallel to higher planes, along its meridian to higher elevations.
+// Returns the point where the great circle from the centre through the direction meets the circle.
+// The axes are those of the centre: along its parallel to higher planes, and along its meridian to
+// higher elevations.
 template <typename T>
 ArmDirectionOf<T> ArmReach::OnCircle(const ArmDirectionOf<T>& direction) const noexcept {
   const auto [sine, cosine] = SineAndCosineOf(direction.elevation_rad);
@@ -85,7 +86,7 @@ ArmDirectionOf<T> ArmReach::OnCircle(const ArmDirectionOf<T>& direction) const n
   const T right = sine * across;
   const T up = kCentreCosine * (sine * along) - kCentreSine * cosine;
   const auto bearing = SineAndCosineOf(Atan2(up, right));
-  // The foot: x along `right`, y to hanging, z on the centre's meridian.
+  // The foot: x along `right`, y toward hanging, z on the centre's meridian.
   const T x = kRadiusSine * bearing.cosine;
   const T rise = kRadiusSine * bearing.sine;
   const T z = T(kRadiusCosine * kCentreSine) + kCentreCosine * rise;
@@ -98,7 +99,7 @@ ArmReach::Piece ArmReach::NearestPieceTo(const ArmDirectionOf<double>& direction
   double distance_rad = AngleBetween(direction, FootOn(nearest, direction));
   for (const Piece piece : {Piece::kBehind, Piece::kBelow, Piece::kCircle, Piece::kAbove}) {
     const ArmDirectionOf<double> foot = FootOn(piece, direction);
-    // Of the circle the part in front of its centre counts, to where it touches.
+    // Only the part of the circle in front of its centre is a limit, up to where it touches.
     const bool is_limit = piece != Piece::kCircle ||
                           (foot.plane_rad >= std::max(kFirstPlane_rad, centre_plane_rad_) &&
                            foot.elevation_rad <= touch_elevation_rad_);
@@ -119,7 +120,7 @@ ArmDirectionOf<T> ArmReach::FootOn(Piece piece, const ArmDirectionOf<T>& directi
     case Piece::kBehind:
       return NearestOnPlane(direction, kFirstPlane_rad, 0, corner_elevation_rad_);
     case Piece::kBelow: {
-      // Behind the circle's centre its lowest elevation is the limit.
+      // Behind the circle's centre, the circle's lowest elevation is the limit.
       const bool is_beside = ValueOf(direction.plane_rad) >= kFirstPlane_rad &&
                              ValueOf(direction.plane_rad) <= centre_plane_rad_;
       return {T(corner_elevation_rad_), is_beside ? direction.plane_rad : T(kFirstPlane_rad)};
@@ -132,11 +133,11 @@ ArmDirectionOf<T> ArmReach::FootOn(Piece piece, const ArmDirectionOf<T>& directi
   return OnCircle(direction);
 }
 
-// Straight up every plane is the same direction, and the humerus turns with the plane: from one
-// limit to the other it passes over where both have it for their nearest.
+// Straight up, every plane is the same direction, and the humerus rotates with the plane. The
+// answer passes from one limit to the other where both are equally near.
 template <typename T>
 T ArmReach::PlaneStraightUp(const T& plane_rad) const noexcept {
-  // With little room between the limits their competition has taken all of its weight away.
+  // With little room between the limits, AnswerTo gives the plane of this function no weight.
   constexpr double kLeastWidth_rad = 1 * kRadiansPerDegree;
   const double width_rad = std::max(kPi - (kLastPlane_rad - free_plane_rad_), kLeastWidth_rad);
   const T from_rad = T(OppositeAbove_rad() - width_rad / 2);

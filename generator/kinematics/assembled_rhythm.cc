@@ -14,10 +14,11 @@
 namespace girdle {
 namespace {
 
-// Over which u fades out beyond the table; below it, over all that is left down to hanging.
+// Width over which u fades out beyond the table. Below the table, u fades out over the whole way to
+// hanging.
 constexpr double kFade_rad = 30 * kRadiansPerDegree;
 
-// 1 up to an edge and 0 from `width` past it on, twice continuously differentiable.
+// Returns 1 up to an edge and 0 from `width` past it on. Twice continuously differentiable.
 double Fading(double past_edge_rad, double width_rad) noexcept {
   if (past_edge_rad <= 0) {
     return 1;
@@ -29,9 +30,9 @@ double Fading(double past_edge_rad, double width_rad) noexcept {
   return 1 - s * s * s * (10 - s * (15 - 6 * s));
 }
 
-// A coordinate that follows `value` within a table and, past its edges, slows down over a short way
-// and comes to rest, twice continuously differentiable: a spline leads away from its last cell's
-// edge fast. The slope is Fading, this its integral.
+// Returns a coordinate that follows `value` within a table. Past the table's edges it slows down
+// over a short way and comes to rest, because a spline runs away fast past the edge of its last
+// cell. The slope is Fading, so that the result is twice continuously differentiable.
 double Slowing(double value, double lowest, double highest) noexcept {
   constexpr double kWidth_rad = 10 * kRadiansPerDegree;
   const auto past = [](double distance) {
@@ -62,7 +63,7 @@ AssembledRhythm::AssembledRhythm(ShoulderRhythm rhythm, Assembly assembly,
 }
 
 std::optional<AssembledRhythm::Correction> AssembledRhythm::CorrectionOf(const RhythmTable& table) {
-  constexpr std::size_t kFewest = 3;  // of a spline
+  constexpr std::size_t kFewest = 3;  // that a spline needs
   const std::size_t planes = table.planes_rad().size();
   const std::size_t elevations = table.elevations_rad().size();
   if (planes < kFewest || elevations < kFewest) {
@@ -72,7 +73,7 @@ std::optional<AssembledRhythm::Correction> AssembledRhythm::CorrectionOf(const R
   }
   const SurfaceGrid grid{SplineAxis(table.elevations_rad()), SplineAxis(table.planes_rad())};
   if (!table.position(0, 0).scapulothoracic_rad) {
-    return std::nullopt;  // all positions have it, or none
+    return std::nullopt;  // either all positions have it or none has
   }
   const auto u_at = [&table](std::size_t elevation, std::size_t plane) {
     const RhythmPosition& position = table.position(plane, elevation);
@@ -134,7 +135,7 @@ ShoulderPose AssembledRhythm::SolvePose(const ArmCommand& command,
   ArmCommand answered;
   ShoulderPose pose = Corrected(command, answered);
   if ((answered.shrug_rad != 0 || answered.protraction_rad != 0) && !KeepsScapulaWithin(pose)) {
-    // The largest share of the offsets that keeps ST within its ranges, by bisection.
+    // Bisection finds the largest share of the offsets that keeps ST within its ranges.
     ArmCommand less = answered;
     double share = 0;
     double step = 0.5;
@@ -149,8 +150,8 @@ ShoulderPose AssembledRhythm::SolvePose(const ArmCommand& command,
     less.protraction_rad = share * answered.protraction_rad;
     pose = Corrected(less, answered);
   }
-  // GH's last hinge turns about the humerus itself. Past its range the turn is taken back, all of
-  // it at most; a hinge that the rhythm has put at an end is there but for rounding.
+  // GH's last hinge turns about the humerus itself. A turn past its range is taken back, but no
+  // more than the axial turn itself. A hinge at the end of its range may be off by rounding.
   const double hinge_rad = AnglesFromPose(pose)[kGhAxialIndex];
   const CoordinateRange& range = rhythm_.ranges()[kGhAxialIndex];
   const double excess_rad = hinge_rad - std::clamp(hinge_rad, range.lower_rad, range.upper_rad);

@@ -5,7 +5,7 @@
 
 namespace girdle {
 
-// Half of theta and half of tau side by side.
+// Sine and cosine of half of theta and half of tau are computed side by side.
 QuaternionOf<double> HumerusRotation(double theta_rad, double psi_rad, double tau_rad) noexcept {
   const SineAndCosine<Pair> half = SineAndCosineOf(Pair(0.5 * theta_rad, 0.5 * tau_rad));
   const SineAndCosine<double> across = SineAndCosineOf(psi_rad - 0.5 * tau_rad);

@@ -13,9 +13,9 @@
 namespace girdle {
 namespace {
 
-// Beyond this a humerus is turned about its long axis as no shoulder turns it.
+// A humerus that is turned farther than this about its long axis is no human one.
 constexpr double kFarthestTurn_rad = 120 * kRadiansPerDegree;
-// From here on up the way back to hanging is ill determined.
+// From this elevation on, the way back to hanging is ill determined.
 constexpr double kNearlyUp_rad = 150 * kRadiansPerDegree;
 
 struct NamedPoint {
@@ -29,7 +29,8 @@ std::string Millimeters(double length_m) {
 
 std::string Text(std::string_view name) { return std::string(name); }
 
-// Blames the last of three landmarks if one of them is nearly on the line through the others.
+// Returns a flaw of the last of three landmarks if one of them is nearly on the line through the
+// others.
 std::optional<LandmarkFlaw> FlawOfPlane(const NamedPoint& a, const NamedPoint& b,
                                         const NamedPoint& c) {
   const double longest_m = std::max({glm::distance(a.position_m, b.position_m),
@@ -51,7 +52,7 @@ LandmarkFlaw Swapped(std::string_view blamed, std::string_view other, const std:
                       " have each other's place. Swap their names"};
 }
 
-// Of a thorax whose side is not looked at.
+// Returns a flaw of a thorax. The side is not checked.
 std::optional<LandmarkFlaw> FlawOfThorax(const ThoraxPoints& thorax) {
   const NamedPoint others[] = {{"PX", thorax.px_m}, {"C7", thorax.c7_m}, {"T8", thorax.t8_m}};
   for (const NamedPoint& other : others) {
@@ -133,8 +134,8 @@ std::optional<LandmarkFlaw> FlawOfRightShoulder(const ThoraxPoints& thorax,
   if (auto flaw = FlawOfPlane({"GH", humerus.gh_m}, {"EM", humerus.em_m}, {"EL", humerus.el_m})) {
     return flaw;
   }
-  // The sides: SC stands to the right of the median plane; in front of the blade is the coracoid
-  // process, behind it the acromion's angle.
+  // The sides are checked: SC is to the right of the median plane, the coracoid process is in front
+  // of the blade, and the acromion's angle is behind it.
   const Vector3 right =
       ThoraxFrame(thorax.ij_m, thorax.px_m, thorax.c7_m, thorax.t8_m) * Vector3(0, 0, 1);
   const Vector3 forward =
@@ -167,7 +168,7 @@ bool IsHumerusTurnedAround(const Quaternion& q_TH) noexcept {
   if (y_H.y < std::cos(kNearlyUp_rad)) {
     return false;
   }
-  // q = swing twist, the twist about y (rotation by the shortest way leaves none).
+  // q = swing twist. The twist is about y; a swing by the shortest way has none.
   const double twist_rad = 2 * std::atan2(q_TH.y, q_TH.w);
   return std::abs(std::remainder(twist_rad, 2 * kPi)) > kFarthestTurn_rad;
 }

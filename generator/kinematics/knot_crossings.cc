@@ -9,7 +9,7 @@
 namespace girdle {
 namespace {
 
-// From the table's borders, where differences have no room.
+// Distance from the table's borders within which difference quotients have no room.
 constexpr double kRoom_rad = 0.5 * kRadiansPerDegree;
 
 Direction Other(Direction direction) noexcept {

@@ -41,14 +41,14 @@ void CheckAngle(std::size_t position, std::string_view name, double angle_rad) {
   }
 }
 
-// Index i with knot_i < value <= knot_i+1, equations (6) and (7); the lowest knot belongs to the
-// first interval. Precondition: value lies within the knots.
+// Returns the index i with knot_i < value <= knot_i+1, equations (6) and (7). The lowest knot
+// belongs to the first interval. Precondition: value lies within the knots.
 std::size_t IntervalIndex(const std::vector<double>& knots, double value) noexcept {
   const auto upper = std::lower_bound(knots.begin() + 1, knots.end() - 1, value);
   return static_cast<std::size_t>(upper - knots.begin()) - 1;
 }
 
-// Place within interval i, equations (8) and (9).
+// Returns the place within interval i, equations (8) and (9).
 double IntervalWeight(const std::vector<double>& knots, std::size_t i, double value) noexcept {
   return (value - knots[i]) / (knots[i + 1] - knots[i]);
 }

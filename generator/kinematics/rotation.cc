@@ -60,7 +60,7 @@ Vector3 EulerFromQuaternion(EulerSequence sequence, const Quaternion& q_AB_any_s
     case EulerSequence::kYXY:
       break;
   }
-  // sin(b/2) is taken as negative: the second angle lies in [-pi, 0].
+  // sin(b/2) is taken as negative, so that the second angle lies in [-pi, 0].
   const double half_sum = std::atan2(q_AB.y, q_AB.w);
   const double half_difference = std::atan2(q_AB.z, -q_AB.x);
   return {WithinHalfTurn(half_sum + half_difference),
@@ -68,8 +68,9 @@ Vector3 EulerFromQuaternion(EulerSequence sequence, const Quaternion& q_AB_any_s
           WithinHalfTurn(half_sum - half_difference)};
 }
 
-// With e_1 the first axis in A, e_2 the second after the first turn and e_3 the third after two,
-// w = a' e_1 + b' e_2 + c' e_3; e_2 is perpendicular to the others, whose product is s = e_1 . e_3.
+// With e_1 the first axis in A, e_2 the second after the first turn, and e_3 the third after two
+// turns, w = a' e_1 + b' e_2 + c' e_3. e_2 is perpendicular to the others, whose product is s = e_1
+// . e_3.
 Vector3 EulerRates(EulerSequence sequence, const Vector3& angles_rad,
                    const Vector3& w_AB) noexcept {
   const bool tilts_last = sequence == EulerSequence::kYXZ;
@@ -92,7 +93,7 @@ Vector3 Log(const Quaternion& q_AB) noexcept {
   const Vector3 sine_axis =
       q_AB.w < 0 ? Vector3(-q_AB.x, -q_AB.y, -q_AB.z) : Vector3(q_AB.x, q_AB.y, q_AB.z);
   const double sine = glm::length(sine_axis);
-  // Below this W/sin(W/2) is 2 to the last bit, and 0/0 has to be avoided.
+  // Below this limit W/sin(W/2) is 2 to the last bit, and 0/0 must be avoided.
   constexpr double kTinySine = 1e-12;
   if (sine < kTinySine) {
     return 2.0 * sine_axis;

@@ -15,7 +15,8 @@ namespace {
 SpherePoint TrigonometricSlerp(const SpherePoint& a, const SpherePoint& b, double t) noexcept {
   const double W = std::acos(std::clamp(Dot(a, b), -1.0, 1.0));
   const double sine = std::sin(W);
-  // Opposite quaternions, as far as an arc cosine can tell: stay on the nearer of the two.
+  // Opposite quaternions, within the accuracy of an arc cosine: the result is the nearer of the
+  // two.
   constexpr double kTinySine = 1e-7;
   if (sine < kTinySine) {
     return t < 0.5 ? a : b;
@@ -40,7 +41,7 @@ void SlerpOneByOne(const Arcs& arcs, double t, std::span<SpherePoint> points) no
 }
 
 double TrigonometricArcOverSine(double cosine) noexcept {
-  // Below this sine squared W / sin(W) is 1 to the last bit, and 0/0 has to be avoided.
+  // Below this squared sine W / sin(W) is 1 to the last bit, and 0/0 must be avoided.
   constexpr double kTinySineSquared = 1e-16;
   const double sine_squared = (1 - cosine) * (1 + cosine);
   const double size =

@@ -148,7 +148,7 @@ GIRDLE_INLINE void WithSeries(double least, Near near, Far far) noexcept {
   }
 }
 
-/// Slerp of arcs, computed one by one. For sets with a far arc.
+/// Slerp of arcs, computed one by one. Used for sets with a far arc.
 void SlerpOneByOne(const Arcs& arcs, double t, std::span<SpherePoint> points) noexcept;
 
 /// W / sin(W). If W is more than a right angle, W - pi replaces W: the logarithm's choice of sign.

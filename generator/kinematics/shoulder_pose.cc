@@ -18,8 +18,8 @@ ShoulderPose PoseFromAngles(const JointAngles& angles_rad) noexcept {
   return {rotation(0), rotation(1), rotation(2)};
 }
 
-// SC and AC (Y-X'-Z'') go side by side; of GH (X-Z'-Y''), which is alone, the half sum and the half
-// difference of euler_angles.h do.
+// The angles of SC and AC (Y-X'-Z'') are computed side by side. GH (X-Z'-Y'') is alone; its half
+// sum and half difference of euler_angles.h are computed side by side.
 JointAngles AnglesFromPose(const ShoulderPose& pose) noexcept {
   const auto positive = [](const Quaternion& q) { return q.w < 0 ? -q : q; };
   const Quaternion sc = positive(pose.q_TC);
@@ -50,7 +50,7 @@ ShoulderPose FrozenGirdle(const ShoulderPose& pose, const ShoulderPose& at) noex
   return {at.q_TC, at.q_CS, glm::conjugate(at.q_TS()) * pose.q_TH()};
 }
 
-// As EulerFromQuaternion, the two half angles side by side.
+// Computed as in EulerFromQuaternion, with the two half angles side by side.
 ArmAngles ArmAnglesFromRotation(const Quaternion& q_TH_any_sign) noexcept {
   const Quaternion q_TH = q_TH_any_sign.w < 0 ? -q_TH_any_sign : q_TH_any_sign;
   const Pair sine{q_TH.y, q_TH.z};

@@ -25,21 +25,20 @@ double FiniteOrZero(double value) noexcept { return std::isfinite(value) ? value
 
 Quaternion Plain(const QuaternionOf<double>& q) noexcept { return {q.w, q.x, q.y, q.z}; }
 
-// What may be added to an angle so that it stays in its range, of what is to be added. An angle
-// that is outside already may go back only.
+// Returns the part of `added_rad` that keeps an angle in its range. An angle outside its range may
+// only move back.
 double Bounded(double angle_rad, double added_rad, const CoordinateRange& range) noexcept {
   return std::clamp(added_rad, std::min(range.lower_rad - angle_rad, 0.0),
                     std::max(range.upper_rad - angle_rad, 0.0));
 }
 
-// A number that has been brought to a bound, or is what it was. A bound does not change with the
-// command.
+// Returns x if it equals its bounded value, else the bound, which does not change with the command.
 template <typename T>
 T BoundedTo(double bounded, const T& x) noexcept {
   return ValueOf(x) == bounded ? x : T(bounded);
 }
 
-// One of the parts of a rotation's jets.
+// Returns one part of a rotation's jets.
 template <typename L, int Order>
 QuaternionOf<L> Part(const QuaternionOf<Jet<L, Order>>& q, JetPart part) noexcept {
   return {q.w.part[part], q.x.part[part], q.y.part[part], q.z.part[part]};
@@ -67,7 +66,7 @@ Velocities<L> VelocitiesOf(const QuaternionOf<Jet<L, Order>>& q) noexcept {
   return {TwiceVector(Part(q, kByElevation) * inverse), TwiceVector(Part(q, kByPlane) * inverse)};
 }
 
-// Derivatives of x by theta and psi into those by t and p, of which theta and psi are functions:
+// Derivatives of x by theta and psi become those by t and p, of which theta and psi are functions:
 //   x_i = x_theta theta_i + x_psi psi_i,
 //   x_ij = x_theta theta_ij + x_psi psi_ij
 //          + x_thetatheta theta_i theta_j + x_thetapsi (theta_i psi_j + theta_j psi_i)
@@ -102,7 +101,8 @@ VectorOf<T> EulerJets(EulerSequence sequence, const QuaternionOf<T>& q_AB) noexc
                                          : EulerAngles(q.w, q.x, q.z, q.y);
 }
 
-// An angle with what is added to it of what was to be added. At the end of its range it stays.
+// Returns an angle plus the used part of the wanted turn. At the end of its range the angle is
+// constant.
 template <int Order>
 Jet<double, Order> Added(const Jet<double, Order>& angle_rad, double used_rad, double wanted_rad,
                          const CoordinateRange& range) noexcept {
@@ -114,7 +114,7 @@ Jet<double, Order> Added(const Jet<double, Order>& angle_rad, double used_rad, d
   return used_rad != wanted_rad && is_at_end ? Jet<double, Order>(value_rad) : sum;
 }
 
-// The clavicle with its offsets: Ry(a + protraction) Rx(b - shrug) Rz(c).
+// Returns the clavicle with its offsets: Ry(a + protraction) Rx(b - shrug) Rz(c).
 template <int Order>
 QuaternionOf<Jet<Pair, Order>> WithOffsetsOf(const QuaternionOf<Jet<Pair, Order>>& q_TC_CS,
                                              const ArmCommand& used, const ArmCommand& wanted,
@@ -144,7 +144,7 @@ QuaternionOf<Jet<Pair, Order>> WithOffsetsOf(const QuaternionOf<Jet<Pair, Order>
   return offset;
 }
 
-// GH with its axial turn, which changes like `axial_rad` unless GH's range bounds it.
+// Returns GH with its axial turn, which changes with `axial_rad` unless GH's range limits it.
 template <int Order>
 QuaternionOf<Jet<double, Order>> WithAxialOf(const QuaternionOf<Jet<double, Order>>& q_SH,
                                              Jet<double, Order> axial_rad, const ArmCommand& used,
@@ -159,7 +159,8 @@ QuaternionOf<Jet<double, Order>> WithAxialOf(const QuaternionOf<Jet<double, Orde
                          angle_rad);
 }
 
-// The rule for the whole range goes on from the table's planes to those that an arm reaches.
+// Throws if the table has planes beyond an arm's reach. The rule for the whole range continues from
+// the table's planes to the planes of the reach.
 void CheckPlanes(const ArmRectangle& table) {
   for (const double plane_rad : {table.first_plane_rad, table.last_plane_rad}) {
     if (plane_rad < ArmReach::kFirstPlane_rad || plane_rad > ArmReach::kLastPlane_rad) {
@@ -174,7 +175,7 @@ void CheckPlanes(const ArmRectangle& table) {
   }
 }
 
-// The options with the range that they stand for.
+// Returns the options with the range that they imply.
 RhythmOptions WithRangeSaid(RhythmOptions options) {
   const Range range_by_default = DefaultRange(options.interpolation, options.closure);
   options.range = options.range.value_or(range_by_default);
@@ -245,7 +246,7 @@ ArmDirectionOf<T> ShoulderRhythm::AskedDirection(
   const double elevation_rad = Clamped(ValueOf(direction.elevation_rad), 0, kPi);
   const double plane_rad = ValueOf(direction.plane_rad);
   const double chart_rad = PlaneOnChart(plane_rad);
-  // A sum whose value is that of the chart, to the last bit.
+  // The value of this sum is that of the chart to the last bit.
   const T asked_plane_rad = std::isfinite(chart_rad)
                                 ? T(T(chart_rad) + (direction.plane_rad - T(plane_rad)))
                                 : T(LowestPlaneAt(elevation_rad));
@@ -281,7 +282,7 @@ Origin ShoulderRhythm::OriginFor(const ArmCommand& command, const RhythmCell& ce
       !measured_.Holds(command.elevation_rad, PlaneOnChart(command.plane_rad))) {
     return Origin::kModelled;
   }
-  // A corner without weight says nothing of the pose.
+  // A corner of the cell without weight has no influence on the pose.
   const std::size_t first_i = cell.elevation_index + (cell.elevation_weight == 1 ? 1 : 0);
   const std::size_t last_i = cell.elevation_index + (cell.elevation_weight == 0 ? 0 : 1);
   const std::size_t first_j = cell.plane_index + (cell.plane_weight == 1 ? 1 : 0);
@@ -306,7 +307,7 @@ void ShoulderRhythm::AddOffsets(ShoulderPose& pose, ArmCommand& used) const noex
   const Vector3 angles_rad = EulerFromQuaternion(kJointSequences[0], pose.q_TC);
   used.protraction_rad = Bounded(angles_rad.x, used.protraction_rad, ranges_[0]);
   used.shrug_rad = -Bounded(angles_rad.y, -used.shrug_rad, ranges_[1]);
-  // The pose with a share of the offsets.
+  // Returns the pose with a share of the offsets.
   const auto offset_by = [&](double share) {
     ShoulderPose moved = rhythm;
     moved.q_TC = QuaternionFromEuler(
@@ -320,7 +321,8 @@ void ShoulderRhythm::AddOffsets(ShoulderPose& pose, ArmCommand& used) const noex
   if (KeepsGhWithin(pose, rhythm)) {
     return;
   }
-  // GH, which makes up for the girdle, stops it: as much as there is room for.
+  // GH, which compensates for the girdle, reaches its range first: the offsets are reduced to its
+  // room.
   double possible = 0;
   double impossible = 1;
   constexpr int kHalvings = 50;
@@ -333,7 +335,7 @@ void ShoulderRhythm::AddOffsets(ShoulderPose& pose, ArmCommand& used) const noex
   pose = offset_by(1);
 }
 
-// Where the rhythm itself is outside, it may not go further.
+// Where GH is outside its range without offsets, it may not move farther out.
 bool ShoulderRhythm::KeepsGhWithin(const ShoulderPose& pose,
                                    const ShoulderPose& rhythm) const noexcept {
   constexpr double kRounding_rad = 1e-12;
@@ -365,7 +367,7 @@ T ShoulderRhythm::ZeroOf(AxialFrom zero, const ArmDirectionOf<T>& asked,
 double ShoulderRhythm::WholeTurnOf(const ShoulderPose& pose,
                                    const ArmDirectionOf<double>& used) const noexcept {
   const Quaternion q_TH = pose.q_TH();
-  // With closure exact S is that of the direction, which has a turn straight up as well.
+  // With closure exact, S is that of the direction. It has a defined turn straight up as well.
   const Quaternion turn =
       options_.closure == Closure::kTable
           ? q_TH
@@ -388,7 +390,7 @@ T ShoulderRhythm::AxialFromRhythm(const ArmCommand& command, const ArmDirectionO
   }
   const T turn_rad =
       ZeroOf(command.axial_from, asked, used, own.tau_rad) - own.tau_rad + T(command.axial_rad);
-  // Of all whole turns the one that takes GH nearest to the middle of its range.
+  // All whole turns are possible. The result is the one with GH nearest to the middle of its range.
   const double value_rad = ValueOf(turn_rad);
   const double nearest_rad =
       std::remainder(own.gh_from_middle_rad + value_rad, 2 * kPi) - own.gh_from_middle_rad;
@@ -423,7 +425,7 @@ double ShoulderRhythm::AxialCountedFrom(AxialFrom zero, const ArmCommand& comman
   const ArmDirectionOf<double> used = {within.elevation_rad, within.plane_rad};
   const OwnTurnOf<double> own = OwnTurn(used);
   const double share = ShareOf(zero, asked, used);
-  // Not so far that rounding takes it over to the other end.
+  // The limit is smaller than pi, so that rounding does not move the angle to the other end.
   constexpr double kMost_rad = kPi - 1e-9;
   const double turn_rad =
       share < 1 ? Clamped(within.axial_rad / share, -kMost_rad - own.gh_from_middle_rad,
@@ -457,7 +459,8 @@ ArmCommand ShoulderRhythm::WithinRange(const ArmCommand& command) const noexcept
           FiniteOrZero(command.protraction_rad)};
 }
 
-// A turn about the humerus's own y comes last in X-Z'-Y'': it adds to GH's axial angle.
+// A turn about the humerus's own y is the last one in X-Z'-Y'', so that it adds to GH's axial
+// angle.
 void ShoulderRhythm::AddAxialTurn(ShoulderPose& pose, ArmCommand& used) const noexcept {
   used.axial_rad =
       Bounded(AnglesFromPose(pose)[kGhAxialIndex], used.axial_rad, ranges_[kGhAxialIndex]);
@@ -538,7 +541,7 @@ ShoulderSolution ShoulderRhythm::Solve(const ArmCommand& command) const noexcept
   return solution;
 }
 
-// The joints' rotations as functions of the elevation and plane commanded.
+// Returns the joints' rotations as functions of the commanded elevation and plane.
 template <int Order>
 struct ShoulderRhythm::Jets {
   QuaternionOf<Jet<Pair, Order>> q_TC_CS;
@@ -564,7 +567,8 @@ ShoulderRhythm::Jets<Order> ShoulderRhythm::JetsFor(const ArmCommand& command) c
   }
   Jets<Order> jets;
   Scalar tau_rad;
-  // Derivatives are by the elevation and plane used; chaining makes them those by the ones given.
+  // Derivatives by the elevation and plane used become those by the commanded ones by the chain
+  // rule.
   if (options_.closure == Closure::kExact) {
     const GirdleOf<Scalar> girdle = smooth()->Girdle<Scalar>(elevation_rad, plane_rad);
     jets.q_TC_CS = WithOffsetsOf(girdle.q_TC_CS, used, wanted, ranges_);
@@ -601,8 +605,9 @@ ShoulderRhythm::Jets<Order> ShoulderRhythm::JetsFor(const ArmCommand& command) c
   return jets;
 }
 
-// With closure exact, d the direction of the arm and n = (-cos psi, 0, sin psi) the axis that it is
-// raised about, q_TH = S Ry(tau) of humerus_rotation.h turns by
+// With closure exact, d is the direction of the arm, and n = (-cos psi, 0, sin psi) is the axis
+// about which the arm is raised. The rotation q_TH = S Ry(tau) of humerus_rotation.h has the
+// angular velocities
 //   w_TH = n + dtau/dtheta (-d) with theta,   w_TH = y + (dtau/dpsi - 1) (-d) with psi,
 // and w_SH = q_TS^-1 (w_TH - w_TS), w_TS = w_TC + q_TC w_CS.
 ShoulderRates ShoulderRhythm::PlainRates(double elevation_rad, double plane_rad) const noexcept {
@@ -682,8 +687,8 @@ std::optional<AngleRates> ShoulderRhythm::SolveAngleRates(
   return result;
 }
 
-// w_i = 2 q_i q^-1 (vector part); of its derivative 2 (q_ij q^-1 + q_i q_j^-1) the second term is a
-// number for i = j, so that its vector part vanishes there.
+// w_i is the vector part of 2 q_i q^-1. Its derivative is 2 (q_ij q^-1 + q_i q_j^-1). For i = j the
+// second term is a number, so that its vector part is zero.
 std::optional<ShoulderDerivatives> ShoulderRhythm::SolveDerivatives(
     const ArmCommand& command) const noexcept {
   if (smooth() == nullptr) {

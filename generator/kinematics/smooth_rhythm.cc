@@ -15,12 +15,12 @@
 namespace girdle {
 namespace {
 
-// From the in-vivo sets named in the header:
-// The mean rate over so much elevation below the table's top goes on above it; the slope at the
-// very top is bad, because subjects drop out of the last rows.
+// These values are from the in-vivo sets named in the header. Above the table's top, the mean rate
+// over this span of elevation below the top continues. The slope at the very top is not used,
+// because subjects drop out of the last rows.
 constexpr double kRateSpan_rad = 30 * kRadiansPerDegree;
-// SC and AC, Y-X'-Z'' [deg], with the arm straight up (Sahara's maximum) and hanging (where the
-// planes' own tangents meet on average; not the relaxed posture).
+// SC and AC, Y-X'-Z'' [deg]. Upright: with the arm straight up (Sahara's maximum). Hanging: where
+// the tangents of the planes meet on average, which is not the relaxed posture.
 const Vector3 kUprightSc_deg{-54, -21, 37};
 const Vector3 kUprightAc_deg{63, -23, 28};
 const Vector3 kHangingSc_deg{-21.5, -9.5, -2};
@@ -38,14 +38,15 @@ Quaternion Single(const QuaternionOf<Pair>& q, std::size_t i) {
   return {q.w[i], q.x[i], q.y[i], q.z[i]};
 }
 
-// The posture at one end of the elevations, with the signs of the means.
+// Returns the posture at one end of the elevations, with quaternion signs that agree with the
+// means.
 QuaternionOf<Pair> EndPosture(const Vector3& sc_deg, const Vector3& ac_deg,
                               const QuaternionOf<Pair>& mean) {
   return Paired(AlignedWith(FromDegrees(sc_deg), Single(mean, 0)),
                 AlignedWith(FromDegrees(ac_deg), Single(mean, 1)));
 }
 
-// Rotation at which the logarithms of the others sum to zero.
+// Returns the rotation relative to which the logarithms of the rotations sum to zero.
 Quaternion MeanRotation(const std::vector<Quaternion>& rotations) {
   Quaternion mean = rotations.front();
   constexpr int kMostRounds = 50;
@@ -70,7 +71,7 @@ std::array<Quaternion, kJointCount> RotationsAt(const RhythmTable& table, std::s
   return {pose.q_TC, pose.q_CS, pose.q_SH};
 }
 
-// log(q mean^-1); throws near half a turn, where it has no one value.
+// Returns log(q mean^-1). Throws near half a turn, where the logarithm is not unique.
 Vector3 FromMean(const Quaternion& q, const Quaternion& mean, std::size_t joint) {
   constexpr double kFarthest_rad = 170 * kRadiansPerDegree;
   const Vector3 u = Log(q * glm::conjugate(mean));
@@ -94,7 +95,8 @@ SplineAxis Axis(const std::vector<double>& knots, std::size_t fewest, const char
   return SplineAxis(knots);
 }
 
-// tau of every position, elevation by elevation in each plane, without leaps of a whole turn.
+// Returns tau of every position, elevation by elevation in each plane, without jumps of a whole
+// turn.
 std::vector<double> TurnsOf(const RhythmTable& table) {
   const std::size_t elevations = table.elevations_rad().size();
   std::vector<double> turns_rad(table.planes_rad().size() * elevations);
@@ -187,7 +189,7 @@ SmoothRhythm::SmoothRhythm(const RhythmTable& table)
 
 SmoothRhythm::EndRow SmoothRhythm::EndRowAt(
     double elevation_rad, std::optional<double> inner_elevation_rad) const noexcept {
-  // Derivatives by elevation, as jets have them.
+  // Derivatives by elevation, in the form of jets.
   const auto edge_at = [this](double theta, bool is_above) {
     Jet<double, 1> jet(theta);
     jet.part[kByElevation] = 1;

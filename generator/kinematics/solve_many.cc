@@ -19,9 +19,10 @@
 #include "kinematics/smooth_rhythm.h"
 #include "kinematics/smooth_rhythm_rule.h"
 
-// Into such a function everything that it calls is inlined, and compiled for AVX2. A file compiled
-// for AVX2 would leave inline functions of the standard library that other processors cannot run.
-// With sanitizers one such function takes minutes to compile; calls change nothing but the time.
+// All calls of such a function are inlined and compiled for AVX2. A file compiled for AVX2 as a
+// whole would contain inline functions of the standard library that other processors cannot run.
+// With sanitizers one such function takes minutes to compile, so that its calls are not inlined
+// there; this changes only the speed.
 #if defined(__x86_64__) && defined(__GNUC__)
 #define GIRDLE_HAS_AVX2 1
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -36,13 +37,13 @@
 namespace girdle {
 namespace {
 
-// Commands of a block: what a thread takes at a time. So many that three copies of a command, to
-// fill up the last four of a region, are few beside them.
+// Commands in a block, which a thread takes at a time. A region's last four may need up to three
+// copies of a command to be full; those are few in a block of this size.
 constexpr std::size_t kBlock = 256;
 
 // ---- Four poses at a time.
 
-// Commands of one region, in whole fours: behind the last one it stands again.
+// Commands of one region, in whole fours. The last command is repeated to fill its four.
 struct FourWork {
   const SmoothRhythm& smooth;
   std::span<const double> elevations_rad;
@@ -51,7 +52,7 @@ struct FourWork {
   std::span<ShoulderPose> poses;
 };
 
-// Each rotation becomes that of one pose.
+// Stores each of four rotations in one pose.
 GIRDLE_INLINE void Store(const QuaternionOf<Four>& q, Quaternion& a, Quaternion& b, Quaternion& c,
                          Quaternion& d) noexcept {
   Four in_a = q.w;
@@ -87,7 +88,7 @@ GIRDLE_INLINE void SolveFours(const FourWork& work) noexcept {
   }
 }
 
-// The rotation of each of four poses, or its negative, with w not negative.
+// Returns the rotations of four poses, or their negatives, so that w is not negative.
 GIRDLE_INLINE QuaternionOf<Four> PositiveFours(const Quaternion& a, const Quaternion& b,
                                                const Quaternion& c, const Quaternion& d) noexcept {
   Four w(a.w, a.x, a.y, a.z);
@@ -99,7 +100,7 @@ GIRDLE_INLINE QuaternionOf<Four> PositiveFours(const Quaternion& a, const Quater
           Four::WhereLess(w, 0.0, -y, y), Four::WhereLess(w, 0.0, -z, z)};
 }
 
-// As AnglesFromPose, of all poses.
+// Returns the angles of all poses, as AnglesFromPose does.
 GIRDLE_INLINE void AnglesOfFours(std::span<const ShoulderPose> poses,
                                  std::span<JointAngles> angles_rad) noexcept {
   const std::size_t count = poses.size();
@@ -154,9 +155,9 @@ GIRDLE_AVX2 void Angles(std::span<const ShoulderPose> poses,
 }
 #endif
 
-// ---- All of them.
+// ---- All poses.
 
-// Threads that are waited for. Clang's library has no std::jthread yet.
+// Threads that are joined at the end. Clang's library has no std::jthread yet.
 class Helpers {
  public:
   explicit Helpers(std::size_t count) { threads_.reserve(count); }
@@ -168,7 +169,7 @@ class Helpers {
     }
   }
 
-  // Throws std::system_error if the system gives no more threads.
+  // Throws std::system_error if the system cannot start another thread.
   template <typename Work>
   void Start(const Work& work) {
     threads_.emplace_back(work);
@@ -178,7 +179,8 @@ class Helpers {
   std::vector<std::thread> threads_;
 };
 
-// Calls `solve(first, count)` for blocks that together are 0 to `count`, in so many threads.
+// Calls `solve(first, count)` for blocks that together cover 0 to `count`, in the given number of
+// threads.
 template <typename Solve>
 void InThreads(std::size_t count, std::size_t threads, const Solve& solve) {
   const std::size_t blocks = (count + kBlock - 1) / kBlock;
@@ -194,7 +196,7 @@ void InThreads(std::size_t count, std::size_t threads, const Solve& solve) {
     try {
       helpers.Start(work);
     } catch (const std::system_error&) {
-      break;  // no more threads are to be had: these will do
+      break;  // the system gives no more threads; those that run suffice
     }
   }
   work();
@@ -234,7 +236,7 @@ bool HasInstructions(Instructions instructions) noexcept {
 #endif
 }
 
-// The answers to one block.
+// Solves the commands of one block.
 class ManySolver {
  public:
   ManySolver(const ShoulderRhythm& rhythm, const ManySolutions& solutions,
@@ -258,7 +260,7 @@ class ManySolver {
   }
 
  private:
-  // Commands by region, those of each behind those of the one before, each in whole fours.
+  // Commands sorted by region, each region in whole fours behind the one before.
   struct Sorted {
     static constexpr std::size_t kMost = kBlock + SmoothRhythm::kRegions * (Four::kSize - 1);
     alignas(Four) std::array<double, kMost> elevations_rad;

@@ -18,10 +18,11 @@ JointRotations RotationsAt(const RhythmPosition& position) noexcept {
   return {pose.q_TC, pose.q_CS, pose.q_SH};
 }
 
-// Joints that a cell needs along elevation, at most: in its two planes and the next on either side.
+// Most joint rotations that a cell needs along elevation: in its two planes and the next on each
+// side.
 constexpr std::size_t kMostRotations = 4 * kJointCount;
 
-// Cosine of half the angle between rotations half a turn apart, 0 but for rounding.
+// Cosine of half the angle between rotations that are half a turn apart: 0 within rounding.
 constexpr double kHalfTurnCosine = 1e-12;
 
 void CheckLessThanHalfTurn(const Quaternion& knot, const Quaternion& neighbour,
@@ -40,8 +41,8 @@ void CheckLessThanHalfTurn(const Quaternion& knot, const Quaternion& neighbour,
       " deg; a denser grid is needed");
 }
 
-// The joints at the elevations of one plane. Signs agree along elevation, and along plane by way of
-// the first elevation. `previous` is the plane before, empty for the first.
+// Returns the joints at the elevations of one plane. Signs agree along elevation, and from plane to
+// plane at the first elevation. `previous` is the plane before, empty for the first plane.
 std::vector<JointRotations> AlignedKnots(const RhythmTable& table, std::size_t plane,
                                          const std::vector<JointRotations>& previous) {
   std::vector<JointRotations> knots(table.elevations_rad().size());
@@ -91,7 +92,8 @@ SquadRhythm::SquadRhythm(const RhythmTable& table, bool smooths)
   }
   knots_ = Rows(points, row_size);
   if (smooths_) {
-    // The ends of a series have one neighbour: s_0 = q_0 and s_n = q_n, as copied.
+    // The ends of a series have one neighbour only: s_0 = q_0 and s_n = q_n, which are already
+    // copied.
     for (std::size_t i = 1; i + 1 < elevations; ++i) {
       SquadControl(knots_.ArcsFrom(i - 1), knots_.ArcsFrom(i),
                    std::span(points).subspan(i * row_size, row_size));
@@ -116,7 +118,7 @@ GIRDLE_INLINE void SquadRhythm::AlongElevation(const RhythmCell& cell, std::size
 
 // q = squad(q_j, q_j+1, t_psi), control points from the neighbouring planes at the same theta (12)
 JointRotations SquadRhythm::RotationsIn(const RhythmCell& cell) const noexcept {
-  // Planes j - 1 to j + 2, as far as there are such and they are needed.
+  // The planes j - 1 to j + 2, if they exist and are needed.
   const std::size_t j = cell.plane_index;
   const std::size_t first = smooths_ && j > 0 ? j - 1 : j;
   const std::size_t last = smooths_ ? std::min(j + 2, planes_ - 1) : j + 1;
@@ -125,7 +127,7 @@ JointRotations SquadRhythm::RotationsIn(const RhythmCell& cell) const noexcept {
   const std::span knots(knot_storage.data(), count);
   AlongElevation(cell, first, knots);
 
-  // From the joints in each plane to those in the next.
+  // Arcs from the joints in each plane to those in the next.
   const std::size_t arc_count = count - kJointCount;
   std::array<double, kMostRotations> lengths;  // NOLINT(*-member-init): filled next
   const Arcs arcs =
@@ -134,7 +136,7 @@ JointRotations SquadRhythm::RotationsIn(const RhythmCell& cell) const noexcept {
   const Arcs cell_arcs = arcs.Part(here, kJointCount);
   std::array<SpherePoint, kJointCount> joints;
   if (smooths_) {
-    // As along elevation, the ends of the series are their own control points.
+    // The ends of the series are their own control points, as along elevation.
     std::array<SpherePoint, kMostRotations> controls;
     const std::size_t inner_count = arc_count - kJointCount;
     std::copy_n(knots.begin(), kJointCount, controls.begin());

@@ -14,8 +14,8 @@ namespace {
 /// Rows of a small dense matrix.
 using Matrix = std::vector<std::vector<double>>;
 
-// Solves a x = b for several right-hand sides at once, by elimination with row exchange; x is left
-// in b. The systems here are never singular.
+// Solves a x = b for several right-hand sides at once, by elimination with row exchange. x replaces
+// b. The systems of this file are never singular.
 void Solve(Matrix& a, Matrix& b) {
   const std::size_t n = a.size();
   for (std::size_t column = 0; column < n; ++column) {
@@ -47,9 +47,10 @@ void Solve(Matrix& a, Matrix& b) {
   }
 }
 
-// Slopes m at the knots of the not-a-knot spline, as weights of the values: m_i = sum_k w_ik f_k.
-// With h_i the width of interval i and d_i = (f_i+1 - f_i) / h_i, second derivatives agree at the
-// inner knots and third ones at the second and the second last:
+// Returns weights w of the values f for the slopes m at the knots of the not-a-knot spline: m_i =
+// sum_k w_ik f_k. Here h_i is the width of interval i and d_i = (f_i+1 - f_i) / h_i. Second
+// derivatives agree at the inner knots, and third derivatives agree at the second and the second
+// last knot:
 //   h_i m_i-1 + 2 (h_i-1 + h_i) m_i + h_i-1 m_i+1 = 3 (h_i d_i-1 + h_i-1 d_i)
 //   (m_0 + m_1 - 2 d_0) / h_0^2 = (m_1 + m_2 - 2 d_1) / h_1^2
 Matrix SlopeWeights(const std::vector<double>& knots) {
@@ -92,7 +93,7 @@ SplineAxis::SplineAxis(const std::vector<double>& knots)
   if (knots_ < kParabolaKnots) {
     throw std::invalid_argument(std::to_string(knots_) + " knots given, at least 3 are needed");
   }
-  // The second and the second last knot are none: the polynomial goes on over them.
+  // The second and the second last knot are no breaks: one polynomial continues over each of them.
   breaks_.push_back(knots.front());
   for (std::size_t i = 2; i + 2 < knots_; ++i) {
     breaks_.push_back(knots[i]);
@@ -104,7 +105,7 @@ SplineAxis::SplineAxis(const std::vector<double>& knots)
     weights_[(piece * kPowers + power) * knots_ + knot] = value;
   };
   if (knots_ == kParabolaKnots) {
-    // Newton's form, f_0 + [f_0 f_1] s + [f_0 f_1 f_2] s (s - h_0), in powers of s.
+    // Newton's form, f_0 + [f_0 f_1] s + [f_0 f_1 f_2] s (s - h_0), expanded in powers of s.
     const double h_0 = knots[1] - knots[0];
     const double h_1 = knots[2] - knots[1];
     const std::array<double, 3> second = {1 / (h_0 * (h_0 + h_1)), -1 / (h_0 * h_1),
@@ -119,7 +120,7 @@ SplineAxis::SplineAxis(const std::vector<double>& knots)
   }
   const Matrix slopes = SlopeWeights(knots);
   for (std::size_t piece = 0; piece < pieces(); ++piece) {
-    // The knot interval that begins where the piece does.
+    // The knot interval at whose beginning the piece begins.
     const std::size_t i = piece == 0 ? 0 : piece + 1;
     const double h = knots[i + 1] - knots[i];
     for (std::size_t knot = 0; knot < knots_; ++knot) {

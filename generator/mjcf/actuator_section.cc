@@ -13,15 +13,15 @@
 namespace girdle {
 namespace {
 
-// How far a user may push a joint off its target.
+// Largest trim that a user may add to a joint's target.
 constexpr double kTrimRange_rad = 30 * kRadiansPerDegree;
 constexpr double kTranslationTrimRange_m = 0.03;
-// No arm is faster: a pitcher's humerus turns at 120 rad/s.
+// Limit for commands: a pitcher's humerus, the fastest arm, rotates at 120 rad/s.
 constexpr double kFastestCommand_rad_per_s = 150;
 
-// From the least to the largest axial turn that the joint's range allows anywhere, on a grid of 1
-// deg: what is too much at a place the rhythm bounds there. Where turns are angles, all of them,
-// which whole turns do not change.
+// Returns the least and the largest axial turn that the joint's range allows at any place of a grid
+// of 1 deg. Where the range allows less at a place, the rhythm limits the turn there. If turns are
+// angles, the range is at least a whole turn, so that it excludes no angle.
 CoordinateRange AxialRange(const ModelPlan& plan) {
   const AxialFrom zero = plan.options.axial_from;
   const ShoulderRhythm& rhythm = plan.rhythm();
@@ -45,7 +45,7 @@ CoordinateRange AxialRange(const ModelPlan& plan) {
 
 void WritePluginActuators(const ModelPlan& plan, XmlElement& actuator, Side side) {
   const ArmRectangle& domain = plan.rhythm().domain();
-  // A command has no force of its own; MuJoCo wants it to act on something all the same.
+  // A command makes no force itself, but MuJoCo requires an element that it acts on.
   const auto write_command = [&](std::string_view name, const CoordinateRange& range) {
     actuator.Add("plugin")
         .Set("name", SidedName(name, side))
@@ -56,8 +56,8 @@ void WritePluginActuators(const ModelPlan& plan, XmlElement& actuator, Side side
         .Set("class", kDefaultsName);
   };
   write_command(kCommandNames[0], {domain.lowest_elevation_rad, domain.highest_elevation_rad});
-  // An angle: MuJoCo clips controls to their ranges before the rhythm, which answers every plane,
-  // sees them.
+  // The plane is an angle and the rhythm answers every plane. MuJoCo clips controls to their ranges
+  // first, so that the range must include every plane.
   write_command(kCommandNames[1], {-kPi, kPi});
   write_command(kCommandNames[2], AxialRange(plan));
   if (plan.options.has_offsets) {

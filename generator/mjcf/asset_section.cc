@@ -50,10 +50,10 @@ void WriteMesh(XmlElement asset, const std::string& name, const TriangleMesh& me
       .Set("face", faces);
 }
 
-// There is a limit where an element has a range of its own.
+// An element has a limit if it has a range of its own.
 constexpr const char* kAsRange = "auto";
 constexpr std::array kNone = {0.0, 0.0};
-// MuJoCo's own.
+// MuJoCo's own defaults.
 constexpr std::array kLimitSolref = {0.02, 1.0};
 constexpr std::array kLimitSolimp = {0.9, 0.95, 0.001, 0.5, 2.0};
 
@@ -81,9 +81,10 @@ void WriteActuatorDefaults(const ModelPlan& plan, XmlElement girdle) {
 
 }  // namespace
 
-// A model that includes this one has defaults of its own, which reach everything that is not said
-// here or at the element itself. What only some of the versions that are served know cannot be
-// said: armature, damping and delay of actuators, and damping and stiffness as curves.
+// Writes Girdle's defaults. A model that includes this one has defaults of its own, and they apply
+// to all attributes that are given neither here nor at the element itself. Attributes that only
+// some of the supported versions of MuJoCo know cannot be given: armature, damping and delay of
+// actuators, and damping and stiffness as curves.
 void WriteDefaults(const ModelPlan& plan, XmlElement root) {
   constexpr Vector3 kOrigin{0, 0, 0};
   constexpr Quaternion kUnturned{1, 0, 0, 0};
@@ -102,7 +103,7 @@ void WriteDefaults(const ModelPlan& plan, XmlElement root) {
       .Set("limited", kAsRange)
       .Set("actuatorfrcrange", kNone)
       .Set("actuatorfrclimited", kAsRange);
-  // Bones are drawn; they neither collide nor weigh.
+  // Bones are only drawn: they do not collide and have no mass.
   girdle.Add("geom")
       .Set("pos", kOrigin)
       .Set("quat", kUnturned)

@@ -13,15 +13,15 @@
 namespace girdle {
 namespace {
 
-// What touches the gliding ellipsoid is a point; a geom has to have a radius.
+// Points touch the gliding ellipsoid, but a geom must have a radius.
 constexpr double kContactRadius_m = 1e-4;
 
 // The thorax frame's axes in the world: x to x, y to z, z to -y.
 Quaternion ThoraxInWorld() { return QuaternionFromEuler(EulerSequence::kYXZ, {0, kPi / 2, 0}); }
 
-// Axes of a joint's three hinges in the child's frame, which stands at the hinges' reference
-// angles. With q = R1(a) R2(b) R3(c), a turn of hinge 1 by d gives R1(a + d) R2(b) R3(c) = q
-// Rot(q^-1 e1, d), and so on.
+// Returns the axes of a joint's three hinges in the child's frame at the hinges' reference angles.
+// With q = R1(a) R2(b) R3(c), a turn of hinge 1 by d gives R1(a + d) R2(b) R3(c) = q Rot(q^-1 e1,
+// d), and so on.
 std::array<Vector3, 3> HingeAxes(EulerSequence sequence, const Vector3& reference_rad) {
   const Vector3 x{1, 0, 0};
   const Vector3 y{0, 1, 0};
@@ -82,7 +82,7 @@ void WriteLigamentEnds(const ModelPlan& plan, XmlElement& body, Segment segment,
   }
 }
 
-// The slides go along the thorax's axes, which the body's own frame has at q_ST.
+// Writes the slides along the thorax's axes, which q_ST expresses in the body's own frame.
 void WriteSlides(const ModelPlan& plan, XmlElement& body, const Vector3& p_m,
                  const Quaternion& q_ST, Side side) {
   const TranslationDynamics& dynamics =
@@ -100,7 +100,7 @@ void WriteSlides(const ModelPlan& plan, XmlElement& body, const Vector3& p_m,
   }
 }
 
-// The three hinges of a joint, which stand at `reference_rad`.
+// Writes the three hinges of a joint, with the reference angles `reference_rad`.
 void WriteHinges(const ModelPlan& plan, XmlElement& body, std::size_t joint,
                  const Vector3& reference_rad, Side side) {
   const std::array<Vector3, 3> axes = HingeAxes(kJointSequences[joint], reference_rad);
@@ -129,8 +129,8 @@ void WriteGlidingPoints(const ModelPlan& plan, XmlElement& scapula, Side side) {
   }
 }
 
-// A moving bone, at `p_m` of its parent, hanging there by the three hinges of `joint`; a scapula
-// that hangs from the thorax by three slides as well.
+// Writes a moving bone at `p_m` of its parent, with the three hinges of `joint`. A scapula that
+// hangs from the thorax has three slides as well.
 XmlElement WriteBone(const ModelPlan& plan, XmlElement& parent, Segment segment, std::size_t joint,
                      const Vector3& p_m, Side side) {
   const std::string name = SidedName(Name(segment), side);

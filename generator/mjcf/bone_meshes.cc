@@ -13,8 +13,8 @@
 namespace girdle {
 namespace {
 
-// Shapes below are tables in millimetres of the bone that was drawn; a bone of another length is
-// drawn larger or smaller as a whole. Each drawn length is that of the landmarks in data/.
+// The shapes below are tables in millimetres of the drawn bone. A bone of another length is scaled
+// as a whole. Each drawn length is that of the landmarks in data/.
 constexpr double kDrawnScapula_mm = 129.1;   // TS to PAC
 constexpr double kDrawnSternum_mm = 136.8;   // IJ to PX
 constexpr double kDrawnClavicle_mm = 157.5;  // SC to PAC
@@ -28,7 +28,7 @@ constexpr Vector3 kRight{0, 0, 1};
 // Closed line of points; the rings of one loft have the same number of points.
 using Ring = std::vector<Vector3>;
 
-// One elliptic section of a tube: the half axis `wide` is given, the other one is perpendicular to
+// One elliptic section of a tube. The half axis `wide` is given; the other one is perpendicular to
 // it and to the tube.
 struct Station {
   Vector3 center_m{0, 0, 0};
@@ -107,7 +107,7 @@ void AppendTube(const std::vector<Station>& stations, int size, TriangleMesh& me
 // Returns `stations` with a smaller one beyond either end, so that the tube ends round.
 std::vector<Station> Rounded(std::vector<Station> stations) {
   constexpr double kSize = 0.6;    // share of the last station's half axes
-  constexpr double kLength = 0.5;  // how far beyond it, as a share of its half thickness
+  constexpr double kLength = 0.5;  // distance beyond it, as a share of its half thickness
   const auto beyond = [](const Station& end, const Station& neighbor) {
     const Vector3 outward = glm::normalize(end.center_m - neighbor.center_m);
     return Station{end.center_m + kLength * end.half_thickness_m * outward, kSize * end.wide_m,
@@ -142,8 +142,8 @@ std::vector<Station> Smoothed(const std::vector<Station>& stations) {
   return smooth;
 }
 
-// The plane of the blade through TS, AI and GC. A place on it is given as shares of the ways TS-AI
-// and TS-GC: TS is (0, 0), the inferior angle (1, 0) and the glenoid's centre (0, 1).
+// The plane of the blade through TS, AI and GC. A place in it is given as shares of the vectors
+// TS-AI and TS-GC: TS is (0, 0), the inferior angle is (1, 0) and the glenoid's centre is (0, 1).
 struct BladePlane {
   Vector3 ts_m;
   Vector3 down_m;
@@ -161,7 +161,7 @@ struct BladePlane {
   }
 };
 
-// The blade's rim, once round.
+// Points of the blade's rim, once around.
 struct RimPoint {
   double towards_ai;
   double towards_gc;
@@ -204,13 +204,13 @@ constexpr RimPoint kBladeRim[] = {
     {-0.34, 0.07, 6, 2.8},
     {-0.26, 0.04, 3, 2.6},
 };
-// The blade's inner rings, from the middle to the rim: share of the rim's size and thickness.
+// The blade's inner rings, from the middle to the rim: shares of the rim's size and thickness.
 struct BladeRing {
   double size;
   double thickness;
 };
 constexpr BladeRing kBladeRings[] = {{0.42, 0.5}, {0.80, 0.55}, {0.94, 1.0}};
-// The point that the rings shrink to, and how far it lies behind the rim; no thickness.
+// The point to which the rings shrink, and its distance behind the rim. It has no thickness.
 constexpr RimPoint kBladeMiddle = {0.25, 0.38, -9, 0};
 
 void AppendBlade(const BladePlane& plane, double mm, TriangleMesh& mesh) {
@@ -226,7 +226,7 @@ void AppendBlade(const BladePlane& plane, double mm, TriangleMesh& mesh) {
     }
     return ring;
   };
-  // From the middle of the front out to the rim and on the back inward again.
+  // From the middle of the front out to the rim, and on the back inward again.
   std::vector<Ring> rings;
   for (const BladeRing& shape : kBladeRings) rings.push_back(ring_on(1, shape));
   rings.push_back(ring_on(0, {1, 0}));
@@ -237,7 +237,7 @@ void AppendBlade(const BladePlane& plane, double mm, TriangleMesh& mesh) {
 }
 
 // The scapular spine is a plate between its root on the blade and its crest, which rises from TS to
-// AA; there the root has left the blade and the plate goes on as the acromion.
+// AA. At AA the root has left the blade, and the plate continues as the acromion.
 struct SpineStation {
   double root_towards_ai;
   double root_towards_gc;
@@ -250,7 +250,7 @@ constexpr SpineStation kSpine[] = {
     {-0.05, 0.48, -6, 0.54, 3.2},  {-0.07, 0.66, -6, 0.72, 3.6}, {-0.09, 0.80, -8, 0.87, 4.2},
     {-0.21, 0.96, -19, 1.00, 4.6},
 };
-// The acromion from AA over the humeral head to its tip in front of the AC joint, seen from PAC.
+// The acromion from AA over the humeral head to its tip in front of the AC joint, relative to PAC.
 struct PlateStation {
   Vector3 inner_mm;
   Vector3 outer_mm;
@@ -300,7 +300,7 @@ void AppendCoracoid(const Anatomy& anatomy, const BladePlane& plane, double mm,
   const Vector3 root =
       plane.At(kCoracoidRoot.towards_ai, kCoracoidRoot.towards_gc, kCoracoidRoot.forward_mm * mm);
   const Vector3& tip = anatomy.landmark_m(Landmark::kPC);
-  // Flat from above: wide across the way forward.
+  // The process is flat as seen from above: it is wide across the forward direction.
   const Vector3 across = glm::normalize(glm::cross(tip - root, kUp));
   std::vector<Station> stations;
   for (const HookStation& hook : kCoracoid) {
@@ -316,7 +316,7 @@ struct CupRing {
   double towards_gh_mm;  // from GC
   double half_height_mm;
   double half_width_mm;
-  bool hollow;  // on the hollow face rather than flat
+  bool hollow;  // whether it is on the hollow face; otherwise flat
 };
 constexpr CupRing kGlenoid[] = {
     {-24, 13, 5.5, false}, {-9, 15, 9, false}, {-2, 18, 12.5, false},
@@ -355,10 +355,10 @@ void AppendGlenoid(const Anatomy& anatomy, double mm, TriangleMesh& mesh) {
 // The vertebrae, counted from C7.
 constexpr int kT8 = 8;
 constexpr int kLowestVertebra = 13;  // L1
-// How far the line of spinous processes bulges backward between C7 and T8; below, it swings
-// forward.
+// Distance by which the line of spinous processes bulges backward between C7 and T8. Below T8 the
+// line turns forward.
 constexpr double kKyphosis_mm = 10;
-// The middle of a vertebral body, seen from the tip of its spinous process.
+// The middle of a vertebral body, relative to the tip of its spinous process.
 constexpr Vector3 kVertebraFromTip_mm{40, 12, 0};
 constexpr double kVertebraHalfWidth_mm = 16;
 constexpr double kVertebraHalfDepth_mm = 13;
@@ -401,7 +401,7 @@ void AppendSpine(const Anatomy& anatomy, double mm, TriangleMesh& mesh) {
   AppendTube(Rounded(column), kPointsAround, mesh);
 }
 
-// The sternum along IJ-PX: manubrium, sternal angle, body, xiphoid process.
+// Stations of the sternum along IJ-PX: manubrium, sternal angle, body, xiphoid process.
 struct SternumStation {
   double along;
   double half_width_mm;
@@ -430,10 +430,10 @@ void AppendSternum(const Anatomy& anatomy, double mm, TriangleMesh& mesh) {
   AppendTube(Rounded(stations), kPointsAround, mesh);
 }
 
-// The pairs of ribs from the first down. The false ribs lean on the one above.
+// The pairs of ribs from the first downward. A false rib ends on the rib above it.
 struct Rib {
   double on_sternum;  // share of the way IJ-PX; negative for a false rib
-  double sag_mm;      // how far it hangs below the straight way from its root to its front end
+  double sag_mm;      // depth below the straight line from its root to its front end
   double width;       // share of the ellipsoid's
 };
 constexpr Rib kRibs[] = {
@@ -441,10 +441,10 @@ constexpr Rib kRibs[] = {
     {0.71, 84, 1.00}, {0.78, 98, 1.00}, {-1, 76, 1.00},   {-1, 58, 1.00},   {-1, 42, 0.97},
 };
 constexpr int kRibIntervals = 10;    // along a rib
-constexpr int kLeaningInterval = 8;  // where the rib below ends on it
+constexpr int kLeaningInterval = 8;  // where the rib below ends on this rib
 constexpr double kRibHalfHeight_mm = 5.5;
 constexpr double kRibHalfThickness_mm = 3;
-constexpr double kSagExponent = 1.4;  // above 1, the lowest point lies in the front half
+constexpr double kSagExponent = 1.4;  // above 1, so that the lowest point is in the front half
 constexpr double kFreeShare = 0.3;    // of a rib at either end, where it may leave the ellipsoid
 constexpr Vector3 kRibRoot_mm{-6, 0, 9};   // from the middle of the vertebra
 constexpr Vector3 kRibFront_mm{0, 0, 10};  // from the middle of the sternum
@@ -452,7 +452,7 @@ constexpr Vector3 kRibFront_mm{0, 0, 10};  // from the middle of the sternum
 // Returns the middle line of a rib on the right, from its root at the spine to its front end.
 std::vector<Vector3> RibLine(const Ellipsoid& cage, const Rib& rib, const Vector3& root,
                              const Vector3& front, double mm) {
-  // Angle about the ellipsoid's vertical axis, from the back over the right.
+  // Angle about the ellipsoid's vertical axis, from the back through the right.
   const auto angle = [&](const Vector3& point) {
     return std::atan2((point.z - cage.center_m.z) / cage.radii_m.z,
                       (cage.center_m.x - point.x) / cage.radii_m.x);
@@ -503,7 +503,7 @@ void AppendRibs(const Anatomy& anatomy, double mm, TriangleMesh& mesh) {
   }
 }
 
-// The clavicle's sections from the sternum outward.
+// Sections of the clavicle from the sternum outward.
 struct ClavicleStation {
   double along;  // share of the way SC-PAC
   double forward_mm;
@@ -518,7 +518,7 @@ constexpr ClavicleStation kClavicle[] = {
     {0.99, 3, -3, 9.5, 4.4},
 };
 
-// The humerus's sections from the line between the epicondyles up to the greater tubercle.
+// Sections of the humerus from the line between the epicondyles up to the greater tubercle.
 struct HumerusStation {
   double up;  // share of the way from the elbow's midpoint to GH
   double forward_mm;
@@ -538,16 +538,16 @@ struct SpoolStation {
   double along_mm;
   double radius_mm;
 };
-// The joint's spool at the elbow along EM-EL, from the trochlea's lip to the capitulum.
+// The spool of the elbow joint along EM-EL, from the lip of the trochlea to the capitulum.
 constexpr SpoolStation kElbowSpool[] = {{-24, 11.5}, {-20, 12},  {-11, 8.5}, {-3, 9.5},
                                         {2, 8.5},    {12, 10.5}, {21, 8.5}};
-constexpr Vector3 kElbowSpool_mm{4, -3, 0};  // its middle, from that of the epicondyles
+constexpr Vector3 kElbowSpool_mm{4, -3, 0};  // its middle, relative to that of the epicondyles
 // The lesser tubercle, upward.
 constexpr SpoolStation kLesserTubercle[] = {{-22, 3}, {-10, 7}, {0, 8.5}, {7, 6}};
 constexpr Vector3 kLesserTubercle_mm{14, -5, 10};  // from GH
-// Up to here, as `up` above, the bone is as broad as the elbow; above the shaft begins.
+// Up to this value of `up`, the bone is as broad as the elbow. The shaft begins above.
 constexpr double kEndOfElbow = 0.22;
-// The head's radius as a share of the distance GC-GH: it leaves the glenoid a gap for cartilage.
+// Radius of the head as a share of the distance GC-GH, which leaves a gap for cartilage.
 constexpr double kHeadRadius = 0.98196;
 
 }  // namespace

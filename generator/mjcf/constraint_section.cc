@@ -9,7 +9,7 @@
 
 namespace girdle {
 
-// Nothing else collides, so that the pairs alone say what touches.
+// Writes the contact pairs. Nothing else collides, so that these pairs are the only contacts.
 void WriteContacts(const ModelPlan& plan, XmlElement root) {
   if (!plan.options.has_thorax_contact) {
     return;

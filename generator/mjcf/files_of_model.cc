@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Names in the order of their file, with the folders beside which they may be.
+// Names of files in the order of their file, and the folders in which they may be.
 class FileSearch {
  public:
   explicit FileSearch(const std::string& model) : top_(fs::path(model).parent_path()) {
@@ -29,8 +29,8 @@ class FileSearch {
         AddThoseIn(folder, name.file, found);
         for (const fs::path& assets : asset_folders_) {
           AddThoseIn(folder / assets, name.file, found);
-          // MuJoCo tries the folder of the file that has the name behind the assets', too: as it
-          // was typed, or from the model's own.
+          // After the folders of assets, MuJoCo also tries the folder of the file that has the
+          // name: as it was typed, or relative to the model's own folder.
           if (name.folder != folder && !name.folder.empty()) {
             AddThoseIn(folder / assets / name.folder, name.file, found);
             AddThoseIn(folder / assets / name.folder.lexically_relative(folder), name.file, found);
@@ -44,7 +44,7 @@ class FileSearch {
  private:
   struct Name {
     fs::path file;
-    fs::path folder;  // of the file that has it
+    fs::path folder;  // of the file that has the name
   };
 
   void Read(const fs::path& file) {
@@ -71,7 +71,7 @@ class FileSearch {
       const std::string_view name = attribute->Name();
       if (is_compiler && name.ends_with("dir")) {
         asset_folders_.insert(attribute->Value());
-      } else if (name.starts_with("file")) {  // a texture of a cube has six: fileright, ...
+      } else if (name.starts_with("file")) {  // a cube texture has six: fileright, ...
         names_.push_back({attribute->Value(), folder});
       }
       if (is_model && name == "file") {
@@ -85,7 +85,7 @@ class FileSearch {
     }
   }
 
-  // With strippath MuJoCo takes the last part of a name alone.
+  // Adds existing files. With strippath, MuJoCo uses only the last part of a name.
   static void AddThoseIn(const fs::path& folder, const fs::path& file,
                          std::set<std::string>& found) {
     std::error_code unclear;
@@ -97,7 +97,7 @@ class FileSearch {
   }
 
   fs::path top_;
-  std::set<fs::path> folders_;  // of the model and of those that it includes or attaches
+  std::set<fs::path> folders_;  // of the model and of the files that it includes or attaches
   std::set<fs::path> read_;
   std::set<fs::path> asset_folders_;
   std::vector<Name> names_;

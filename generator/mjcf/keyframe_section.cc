@@ -11,7 +11,7 @@
 namespace girdle {
 namespace {
 
-// One side's joints, body by body.
+// Appends the joints of one side, body by body.
 void AppendPositions(const ModelPlan& plan, std::vector<double>& positions,
                      const ShoulderPose& pose) {
   const JointAngles angles_rad = DrivenAngles(plan.options.assembly, pose);
@@ -23,7 +23,7 @@ void AppendPositions(const ModelPlan& plan, std::vector<double>& positions,
   positions.insert(positions.end(), angles_rad.begin() + 3, angles_rad.end());
 }
 
-// One side's controls of position servos that hold the joints at `pose`.
+// Appends the controls of one side's position servos that hold the joints at `pose`.
 void AppendServoControls(const ModelPlan& plan, std::vector<double>& controls,
                          const ShoulderPose& pose) {
   const JointAngles angles_rad = DrivenAngles(plan.options.assembly, pose);
@@ -38,8 +38,8 @@ void AppendServoControls(const ModelPlan& plan, std::vector<double>& controls,
   }
 }
 
-// One side's controls of the plugin that hold the joints at `pose`: trims make up for what it is
-// off `target`, which is where the command leads.
+// Appends the controls of one side's plugin that hold the joints at `pose`. The command leads to
+// `target`, and trims add the difference from `target` to `pose`.
 void AppendPluginControls(const ModelPlan& plan, std::vector<double>& controls,
                           const ArmCommand& command, const ShoulderPose& target,
                           const ShoulderPose& pose) {
@@ -64,12 +64,12 @@ void WriteKeyframes(const ModelPlan& plan, XmlElement root) {
   for (const NamedPose& named : kKeyframes) {
     const ShoulderSolution solution = plan.rhythm().Solve(
         {RadiansFromDegrees(named.elevation_deg), RadiansFromDegrees(named.plane_deg)});
-    // Only rest is the nearest pose there is; the others are what their names say or are not
-    // there.
+    // Only `hanging` may be a pose that is the nearest to its name. A keyframe of another name is
+    // exactly the pose of that name or is left out.
     if (named.name != kHangingName && solution.clamped) {
       continue;
     }
-    // Controls of zero lead to rest; the others have the rhythm's own turn.
+    // Controls of zero lead to `hanging`. The other keyframes have the rhythm's own axial turn.
     ArmCommand command = solution.used;
     command.axial_rad = named.name == kHangingName
                             ? 0

@@ -41,7 +41,7 @@ void CheckOptions(const ModelPlan& plan) {
   }
 }
 
-// A model that names another table than its own would load and be wrong.
+// Throws if the options name another table than the rhythm's: the model would load and be wrong.
 void CheckTable(const ModelPlan& plan) {
   if (plan.options.table && RhythmTableToLine(plan.rhythm().table()) !=
                                 RhythmTableToLine(BuiltInRhythmTable(*plan.options.table))) {
@@ -54,7 +54,7 @@ void CheckTable(const ModelPlan& plan) {
 void CheckRanges(const ModelPlan& plan, const ArmCommand& used, const JointAngles& angles_rad) {
   for (std::size_t k = 0; k < kCoordinateCount; ++k) {
     const CoordinateRange& range = plan.RangeOf(k);
-    // Rounding may take an angle over the range that its table ends at.
+    // Rounding may move an angle past the range that its table ends at.
     constexpr double kRounding_rad = 1e-9;
     if (angles_rad[k] < range.lower_rad - kRounding_rad ||
         angles_rad[k] > range.upper_rad + kRounding_rad) {
@@ -71,8 +71,8 @@ void CheckRanges(const ModelPlan& plan, const ArmCommand& used, const JointAngle
   }
 }
 
-// Checks the ranges, and returns the ligaments' slack, both wherever the rhythm goes: most of
-// writing's time is spent here.
+// Checks the ranges and returns the ligaments' slack, both over all that the rhythm answers. Most
+// of the time of writing is spent here.
 LigamentLengths SurveyRhythm(const ModelPlan& plan) {
   return SlackFor_m(plan.anatomy, plan.assembled,
                     [&plan](const ArmCommand& used, const ShoulderPose& pose) {

@@ -13,25 +13,25 @@
 namespace girdle {
 namespace {
 
-// What the cameras look at, in the world [m]: the middle of all that the arm of the built-in
-// anatomy reaches, hanging, raised and to the side, and the thorax. They look at another person's
-// from as much farther as that arm reaches farther.
+// The point that the cameras are aimed at, in the world [m]: the middle of the thorax and of all
+// that the arm of the built-in anatomy reaches, hanging, raised and to the side. For another
+// person, distances from it scale with the reach of that person's arm.
 const Vector3 kCenter_m{-0.05, -0.17, 1.4};
 constexpr double kExtent_m = 0.7;
 constexpr double kCameraDistance_m = 1.0;
-// Both shoulders are that much wider than one.
+// Both shoulders are wider than one by this factor.
 constexpr double kBothSides = 1.25;
-// Forearms and hands of a skin reach that much farther than elbows.
+// Forearms and hands of a skin reach farther than elbows by this factor.
 constexpr double kWithHands = 1.3;
 
-// Length of the bones from the thorax's origin to the elbow.
+// Returns the length of the bones from the thorax's origin to the elbow.
 double Reach_m(const Anatomy& anatomy) {
   return glm::length(anatomy.landmark_m(Landmark::kSC)) +
          glm::length(anatomy.landmark_m(Landmark::kPAC)) +
          glm::length(anatomy.landmark_m(Landmark::kGH)) + glm::length(anatomy.elbow_m());
 }
 
-// What the cameras see.
+// The part of the world that the cameras show.
 struct View {
   Vector3 center_m;
   double scale;  ///< of extent and distance
@@ -80,7 +80,7 @@ std::string SceneXml(const std::string& model_file, const Anatomy& anatomy, Side
       .Set("diffuse", std::array{0.4, 0.4, 0.4})
       .Set("ambient", std::array{0.38, 0.38, 0.38})
       .Set("specular", std::array{0.0, 0.0, 0.0});
-  // A viewer starts where it looks at the arm from its own side, in front.
+  // A viewer starts with a view of the arm from its own side and from the front.
   visual.Add("global").Set("azimuth", sides == Sides::kLeft ? 215 : 145).Set("elevation", -15);
   XmlElement asset = root.Add("asset");
   asset.Add("texture")
@@ -104,20 +104,22 @@ std::string SceneXml(const std::string& model_file, const Anatomy& anatomy, Side
       .Set("texrepeat", std::array{2.0, 2.0})
       .Set("specular", 0.0);
   XmlElement world = root.Add("worldbody");
-  // From above and in front; directional, so that the ground is as bright everywhere.
+  // A light from above and in front. It is directional, so that the ground is equally bright
+  // everywhere.
   world.Add("light")
       .Set("directional", "true")
       .Set("pos", Vector3{1.5, -1.0, 3.0})
       .Set("dir", Vector3{-0.5, 0.3, -0.8})
       .Set("diffuse", std::array{0.45, 0.45, 0.45});
-  // Fills the back in, where the scapula is.
+  // A light for the back, where the scapula is.
   world.Add("light")
       .Set("directional", "true")
       .Set("pos", Vector3{-1.5, 1.2, 2.6})
       .Set("dir", Vector3{0.6, -0.5, -0.6})
       .Set("diffuse", std::array{0.3, 0.3, 0.3})
       .Set("castshadow", "false");
-  // A place to stand on, with an end: an endless plane has a horizon, which cuts a picture in half.
+  // Ground to stand on. It has an end, because an endless plane has a horizon that cuts a picture
+  // in half.
   constexpr double kGround_m = 1.5;
   world.Add("geom")
       .Set("name", "floor")

@@ -17,7 +17,7 @@ constexpr double kTimestep_s = 0.002;
 
 using WriteSection = void (*)(const ModelPlan& plan, XmlElement root);
 
-// In the order of the file.
+// Sections in the order of the file.
 constexpr std::array<WriteSection, 12> kSections = {
     WriteExtension, WriteDefaults,   WriteAssets,    WriteBodies,    WriteAnatomy, WriteSkin,
     WriteContacts,  WriteEqualities, WriteLigaments, WriteActuators, WriteSensors, WriteKeyframes};

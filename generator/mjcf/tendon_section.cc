@@ -10,7 +10,7 @@
 
 namespace girdle {
 
-// Ligaments pull and never push: from no length to slack there is no force.
+// Writes the ligaments. They pull and never push: there is no force from length zero to slack.
 void WriteLigaments(const ModelPlan& plan, XmlElement root) {
   XmlElement tendon = root.Add("tendon");
   for (std::size_t i = 0; i < kLigamentCount; ++i) {

@@ -10,7 +10,7 @@
 namespace girdle {
 namespace {
 
-// Two spaces a level, as MuJoCo Menagerie has its models.
+// Indents by two spaces per level, as the models of MuJoCo Menagerie.
 class Printer : public tinyxml2::XMLPrinter {
  protected:
   void PrintSpace(int depth) override {

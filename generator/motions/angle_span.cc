@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kFewestRows = 10;
 constexpr double kLeastSpan = 0.5;
-// Somewhat beyond half a turn and a whole one [rad].
+// Somewhat more than half a turn and than a whole turn [rad].
 constexpr double kFarthestElevation = 3.2;
 constexpr double kFarthestPlane = 6.4;
 

@@ -14,13 +14,13 @@ namespace girdle {
 namespace {
 
 void ExpectFewTurns(double angle_deg) {
-  // A NaN is none either.
+  // Written so that a NaN fails too.
   if (!(std::abs(angle_deg) <= kMostTurned_deg)) {
     throw std::invalid_argument("expected an angle within -3600 to 3600 degrees");
   }
 }
 
-// What a sign that is not the convention's may mean.
+// Returns a text on the possible meaning of a sign that the convention does not use.
 std::string OtherSignText(bool is_isb, bool has_axial) {
   if (is_isb) {
     return std::string(
@@ -50,7 +50,7 @@ double ElevationRead_deg(double elevation_deg, AngleConvention convention, bool 
     throw std::invalid_argument(is_isb ? "expected 0 to -180 degrees"
                                        : "expected 0 to 180 degrees");
   }
-  // The sum makes -0, as ISB's hanging arm comes here, 0.
+  // ISB's hanging arm gives -0 here. The sum turns -0 into 0.
   return std::clamp(raised_deg, 0.0, kHalfCircle_deg) + 0.0;
 }
 

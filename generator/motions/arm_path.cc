@@ -14,10 +14,10 @@
 namespace girdle {
 namespace {
 
-// Where plane and great circle are rounding alone: sines below it [rad].
+// Plane and great circle with sines below this [rad] are determined by rounding only.
 constexpr double kRounding = 1e-9;
 
-// Where the elbow lies, seen from GH: hanging is -y, plane 0 is z, plane 90 is x.
+// Returns the direction of the elbow from GH: hanging is -y, plane 0 is z, plane 90 is x.
 Vector3 DirectionOf(const ArmCommand& command) noexcept {
   const auto [x, y, z] = UpTheArm<double>({command.elevation_rad, command.plane_rad});
   return {-x, -y, -z};
@@ -29,8 +29,8 @@ bool IsUpOrDown(const Vector3& direction) noexcept {
   return std::hypot(direction.x, direction.z) < kRounding;
 }
 
-// The unit vector across `from` in which the way to `to` begins; between hanging and straight up it
-// begins in `vertical_plane_rad`.
+// Returns the unit vector perpendicular to `from` in which the path to `to` begins. Between hanging
+// and straight up, the path begins in `vertical_plane_rad`.
 Vector3 FirstDirection(const Vector3& from, const Vector3& to, double vertical_plane_rad) noexcept {
   const auto across = [&from](const Vector3& other) {
     return other - glm::dot(from, other) * from;
@@ -45,8 +45,8 @@ Vector3 FirstDirection(const Vector3& from, const Vector3& to, double vertical_p
   return glm::normalize(across({0, -1, 0}));
 }
 
-// Slerp of the directions d_0 and d_1, W the angle between them and w the unit vector across d_0
-// towards d_1:
+// Slerp of the directions d_0 and d_1. W is the angle between them, and w is the unit vector
+// perpendicular to d_0 toward d_1:
 //   d(t) = cos(t W) d_0 + sin(t W) w
 void TakeAlongGreatCircle(const ArmCommand& from, const ArmCommand& to, double share,
                           ArmCommand& command) noexcept {
@@ -57,23 +57,24 @@ void TakeAlongGreatCircle(const ArmCommand& from, const ArmCommand& to, double s
       d_0, d_1, from.elevation_rad > to.elevation_rad ? from.plane_rad : to.plane_rad);
   const Vector3 d = std::cos(share * whole_rad) * d_0 + std::sin(share * whole_rad) * w;
   command.elevation_rad = std::atan2(std::hypot(d.x, d.z), -d.y);
-  // Right at hanging or straight up the nearer end says the plane.
+  // At hanging or straight up, the plane is that of the nearer end.
   const double nearer_rad = share < 0.5 ? from.plane_rad : to.plane_rad;
   command.plane_rad = IsUpOrDown(d) ? nearer_rad : std::atan2(d.x, d.z);
 }
 
-// An angle within half a turn.
+// Returns an angle within half a turn.
 double WithinHalfTurn(double angle_rad) noexcept {
   return std::abs(angle_rad) <= kPi ? angle_rad : std::remainder(angle_rad, 2 * kPi);
 }
 
-// Successive rows that hang.
+// Successive rows in which the arm hangs.
 struct HangingRows {
   std::size_t begin;
   std::size_t end;
 };
 
-// The next of them from row `begin` on; none, at the end of all rows, if there are none.
+// Returns the next hanging rows from row `begin` on. Empty, at the end of all rows, if there are
+// none.
 HangingRows NextHanging(const std::vector<TimedCommand>& rows, std::size_t begin) {
   const auto hangs = [](const TimedCommand& row) { return Hangs(row.command); };
   const auto first =
@@ -83,7 +84,7 @@ HangingRows NextHanging(const std::vector<TimedCommand>& rows, std::size_t begin
           static_cast<std::size_t>(last - rows.begin())};
 }
 
-// The command that is a share of the way from one to the other, 0 to 1.
+// Returns the command at a share of the path from one to the other, 0 to 1.
 ArmCommand OnTheWay(const ArmCommand& from, const ArmCommand& to, double share) noexcept {
   if (share <= 0) {
     return from;
@@ -98,7 +99,7 @@ ArmCommand OnTheWay(const ArmCommand& from, const ArmCommand& to, double share) 
   command.protraction_rad = Between(from.protraction_rad, to.protraction_rad, share);
   const double turn_rad = ShortWay_rad(from.plane_rad, to.plane_rad);
   if (turn_rad == 0 || (from.elevation_rad == to.elevation_rad && IsUpOrDown(DirectionOf(from)))) {
-    // The great circle is a vertical one, or the arm stays hanging or straight up.
+    // The great circle is vertical, or the arm stays at hanging or straight up.
     command.elevation_rad = Between(from.elevation_rad, to.elevation_rad, share);
     command.plane_rad = WithinHalfTurn(from.plane_rad + share * turn_rad);
   } else {

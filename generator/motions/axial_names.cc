@@ -15,25 +15,27 @@
 namespace girdle {
 namespace {
 
-// Words that say a turn about the long axis; gamma is ISB's letter.
+// Words that mean a turn about the long axis. gamma is ISB's letter.
 constexpr std::array<std::string_view, 6> kTurns = {"axial", "rotation",   "rot",
                                                     "twist", "thirdangle", "gamma"};
 
-// Words that stand beside them without another meaning.
+// Words that may stand beside those and do not change their meaning.
 constexpr std::array<std::string_view, 26> kBeside = {
     "internal", "external", "int",      "ext",     "inward",  "outward",        "medial",
     "lateral",  "endo",     "exo",      "humeral", "humerus", "humerothoracic", "ht",
     "upper",    "arm",      "shoulder", "right",   "left",    "long",           "longitudinal",
     "axis",     "isb",      "angle",    "turn",    "measured"};
 
-// Internal and external rotation, where nothing stands beside them: more words have these letters.
+// Internal and external rotation. They count only without other words, because longer words contain
+// these letters.
 constexpr std::array<std::string_view, 2> kAlone = {"ir", "er"};
 
-// Of the words beside, one slip makes ankle of angle.
+// Letters of the shortest word of kBeside whose slips count: in shorter ones, one slip turns angle
+// into ankle.
 constexpr std::size_t kShortestToSlipBeside = 6;
 
-// Whether letters are a word, or one with a slip behind its first letter. More letters at its end
-// may be a second word: x of `rotation_x` is no slip.
+// Whether letters are a word, or the word with a slip after its first letter. Extra letters at the
+// end may be a second word: x in `rotation_x` is no slip.
 bool IsWord(std::string_view letters, std::string_view word, std::size_t shortest_to_slip) {
   if (letters == word) {
     return true;
@@ -50,7 +52,7 @@ bool MeansAxialTurn(std::string_view column) {
   if (std::find(kAlone.begin(), kAlone.end(), stem) != kAlone.end()) {
     return true;
   }
-  // Which words the letters before each place make, one behind the other.
+  // Whether the letters before each place consist of known words, without and with a turn.
   struct Before {
     bool words = false;
     bool words_with_turn = false;
@@ -77,7 +79,7 @@ bool MeansAxialTurn(std::string_view column) {
       take(word, false);
     }
   }
-  // A letter at the end says the side.
+  // A letter at the end may be the side.
   return before.back().words_with_turn ||
          ((stem.ends_with('r') || stem.ends_with('l')) && before[stem.size() - 1].words_with_turn);
 }

@@ -18,7 +18,7 @@
 namespace girdle {
 namespace {
 
-// What `read` makes of a number of a row; its objection becomes one to the row.
+// Returns the angle that `read` gives for a number of a row. An error of `read` names the row.
 template <typename Reading>
 double AngleOf(const CsvRows& row, std::size_t column, double number, const Reading& read) {
   try {
@@ -33,7 +33,7 @@ bool IsInRadians(const std::string& column) {
   return small.find("rad") != std::string::npos && small.find("radi") != 0;
 }
 
-// How a known name with radians for its unit is to be mended. Only an option says the unit.
+// Returns the fix for a known name with radians as its unit: only an option gives the unit.
 std::string RadiansMend(const std::string& meant, bool has_degrees,
                         const std::optional<AngleUnit>& unit) {
   if (unit == AngleUnit::kRadian) {
@@ -46,7 +46,7 @@ std::string RadiansMend(const std::string& meant, bool has_degrees,
              : "Name it '" + meant + "', whatever the unit, and give --angles rad";
 }
 
-// Refuses a known name with radians for its unit.
+// Throws if a known name has radians as its unit.
 void ExpectNoRadianNames(const CsvReader& csv, const std::vector<std::string_view>& known,
                          const std::optional<AngleUnit>& unit) {
   const auto has_column = [&](std::string_view name) { return csv.HasColumn(std::string(name)); };
@@ -120,7 +120,7 @@ double CommandColumns::Degrees(double number) const noexcept {
 double CommandColumns::OffsetRead_deg(const CsvRows& row, const Offset& offset) const {
   const double number = row.Number(offset.index);
   const bool is_radians = reading_.unit == AngleUnit::kRadian;
-  // As typed, so that the bounds themselves are accepted in radians.
+  // In degrees as typed, so that the bounds themselves are accepted in radians.
   const double offset_deg = is_radians ? TypedDegrees(number) : number;
   if (offset_deg < offset.lower_deg || offset_deg > offset.upper_deg) {
     row.Fail(row.ColumnName(offset.index) + " is " + NumberText(number) + ", expected " +

@@ -9,7 +9,7 @@
 namespace girdle {
 namespace {
 
-// Why commands were clamped.
+// Returns the reason why commands were clamped.
 std::string ReasonText(const CommandTally& tally, Range range) {
   std::string text;
   if (tally.beyond > 0) {

@@ -18,7 +18,7 @@
 namespace girdle {
 namespace {
 
-// On a straight line in the numbers of commands.
+// Returns the command at a share of the straight line between the numbers of two commands.
 ArmCommand StraightBetween(const ArmCommand& a, const ArmCommand& b, double share) noexcept {
   return {Between(a.elevation_rad, b.elevation_rad, share),
           Between(a.plane_rad, b.plane_rad, share),
@@ -34,7 +34,7 @@ class RowTimes {
   RowTimes(const CsvReader& csv, double longest_s)
       : csv_(csv), column_(csv.Column(kTimeColumn)), longest_s_(longest_s) {}
 
-  // The time of the current row, from the first one on.
+  // Returns the time of the current row, counted from the first row.
   double Next() {
     const double stamp_s = csv_.Number(column_);
     if (previous_s_ && stamp_s <= *previous_s_) {
@@ -60,11 +60,11 @@ class RowTimes {
   std::optional<double> previous_s_;
 };
 
-// A recording has rows closer than this [s]; a motion of a few rows is made by hand.
+// Rows of a recording are closer than this [s]. Rows of a motion made by hand are farther apart.
 constexpr double kFarRows_s = 1;
 constexpr std::size_t kFewRows = 10;
 
-// The median of the times from row to row [s]. Precondition: two rows or more.
+// Returns the median of the times from row to row [s]. Precondition: two or more rows.
 double MedianStep_s(const std::vector<TimedCommand>& rows) {
   std::vector<double> steps_s;
   for (std::size_t i = 1; i < rows.size(); ++i) {
@@ -75,8 +75,8 @@ double MedianStep_s(const std::vector<TimedCommand>& rows) {
   return *middle;
 }
 
-// What is odd about the times: a recording of some seconds with stamps in milliseconds is no longer
-// than a motion may be.
+// Returns a hint at unlikely times: if a recording of some seconds has times in milliseconds, it is
+// still within the longest motion.
 std::string HintAbout(const std::string& file, const std::vector<TimedCommand>& rows) {
   if (rows.size() <= kFewRows) {
     return "";

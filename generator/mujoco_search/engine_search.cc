@@ -24,8 +24,8 @@ constexpr std::string_view kEngineFile = "libmujoco.so";
 constexpr int kPythonLimit_s = 10;
 
 constexpr std::string_view kMarker = "girdle:";
-// Prints a marker and the folder of the package, which is not imported: that would load its
-// library. A python that is isolated leaves out the user's own packages.
+// Prints a marker and the folder of the package. The package is not imported, because an import
+// loads its library. An isolated python leaves out the user's own packages, which are added here.
 constexpr const char* kAskPython =
     "import importlib.util, site, sys\n"
     "if sys.prefix == sys.base_prefix:\n"
@@ -38,8 +38,8 @@ std::string Environment(const char* variable) {
   return value == nullptr ? "" : value;
 }
 
-// What is in a folder, in order of its names; nothing if there is no such folder or it may not be
-// read.
+// Returns the content of a folder, sorted by name. Empty if the folder does not exist or is not
+// readable.
 std::vector<fs::path> ContentsOf(const fs::path& folder) {
   std::vector<fs::path> contents;
   std::error_code error;
@@ -51,7 +51,7 @@ std::vector<fs::path> ContentsOf(const fs::path& folder) {
   return contents;
 }
 
-// A library of this name with any version after it.
+// Whether a file is a library of this name, with any version after it.
 bool IsEngineFile(const fs::path& file) {
   const std::string name = file.filename().string();
   std::error_code error;
@@ -92,7 +92,7 @@ std::vector<fs::path> PythonsOnPath() {
       const fs::path python = folder / name;
       if (IsProgram(python)) {
         pythons.push_back(python);
-        break;  // in one folder both are the same
+        break;  // in one folder both are usually one program
       }
     }
   }

@@ -23,10 +23,10 @@
 namespace girdle {
 namespace {
 
-// Generous: what is tried takes milliseconds.
+// A generous limit: a trial takes milliseconds.
 constexpr int kLimit_s = 30;
 constexpr int kSteps = 10;
-// mj_getState writes the time alone (mjSTATE_TIME).
+// Makes mj_getState write the time alone (mjSTATE_TIME).
 constexpr int kTimeOnly = 1;
 
 // The lines that a child writes begin with one of these words.
@@ -37,7 +37,7 @@ constexpr std::size_t kLongestLine = 1000;  // bytes; MuJoCo's messages are no l
 
 using Write = std::function<void(std::string_view)>;
 
-// Without line breaks and whatever else a terminal would obey.
+// Returns a text without line breaks and other characters that control a terminal.
 std::string OneLine(std::string text) {
   text.resize(std::min(text.size(), kLongestLine));
   std::replace_if(
@@ -72,12 +72,12 @@ class Library {
   void* handle_;
 };
 
-// Only in children: MuJoCo gives its handlers no context.
+// Set in children only: MuJoCo gives its handlers no context.
 Write on_warning;  // NOLINT(readability-identifier-naming)
 
 void OnWarning(const char* message) { WriteLine(on_warning, kProblem, message); }
 
-// Must not return.
+// A handler of errors must not return.
 void OnError(const char* message) { throw std::runtime_error(message); }
 
 using MessageHandler = void (*)(const char*);

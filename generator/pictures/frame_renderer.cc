@@ -20,18 +20,18 @@
 namespace girdle {
 namespace {
 
-// Of what MuJoCo may add to a scene; the memory is a few megabytes.
+// Most geoms that MuJoCo may add to a scene. Their memory is a few megabytes.
 constexpr int kMostSceneGeoms = 10000;
-// Of the skin where bones are seen through it.
+// Opacity of the skin if bones are drawn in it.
 constexpr float kTranslucent = 0.35F;
 
-// Where cameras stand that look from a side, as MuJoCo counts: azimuth 0 looks along x, which is
-// forward, from behind; elevation is negative looking down.
+// Directions of cameras in MuJoCo's angles: azimuth 0 looks along x, which is forward, from behind.
+// Elevation is negative looking down.
 struct Direction {
   double azimuth_deg;
   double elevation_deg;
 };
-// In the order of kCameraWords; the last is seen from the right.
+// Directions in the order of kCameraWords. The last one is for a right arm.
 constexpr std::array<Direction, kCameraWords.size()> kDirections = {
     {{180, 0}, {0, 0}, {0, -90}, {133, -29}}};
 constexpr std::size_t kOblique = 3;
@@ -62,13 +62,13 @@ class Box {
   Vector3 upper_m_{-std::numeric_limits<double>::infinity()};
 };
 
-// A corner of a box of two units a side about the origin.
+// Returns a corner of a box of two units a side about the origin.
 constexpr int kCorners = 8;
 Vector3 CornerSigns(int corner) {
   return {(corner & 1) != 0 ? 1 : -1, (corner & 2) != 0 ? 1 : -1, (corner & 4) != 0 ? 1 : -1};
 }
 
-// Adds the corners of the box that MuJoCo knows around a geom, in the geom's own axes.
+// Adds the corners of MuJoCo's bounding box of a geom, which is in the geom's own axes.
 void AddGeom(const mjModel& model, const mjData& data, int geom, Box& box) {
   const mjtNum* const c = model.geom_aabb + 6 * geom;
   const Vector3 center_m{c[0], c[1], c[2]};
@@ -83,8 +83,8 @@ void AddGeom(const mjModel& model, const mjData& data, int geom, Box& box) {
   }
 }
 
-// Brightens the headlight of a model that has no light of its own to that of the scenes that girdle
-// generate writes: MuJoCo's default leaves most in the dark.
+// Brightens the headlight of a model without lights to that of the scenes that girdle generate
+// writes, because MuJoCo's default leaves most of the picture dark.
 void LightUp(mjModel& model) {
   constexpr float kAmbient = 0.35F;
   constexpr float kDiffuse = 0.65F;
@@ -99,7 +99,7 @@ void LightUp(mjModel& model) {
   }
 }
 
-// Whether a model has a shoulder on the left alone.
+// Whether a model has a left shoulder only.
 bool IsLeftAlone(const mjModel& model) {
   const auto has = [&model](Side side) {
     return mj_name2id(&model, mjOBJ_BODY, SidedName("humerus", side).c_str()) >= 0;
@@ -107,7 +107,7 @@ bool IsLeftAlone(const mjModel& model) {
   return has(Side::kLeft) && !has(Side::kRight);
 }
 
-// Visualization group of a geom, as MuJoCo counts those beyond its last.
+// Returns the visualization group of a geom. MuJoCo counts groups beyond the last as the last.
 int GroupOf(const mjModel& model, int geom) {
   return std::clamp(model.geom_group[geom], 0, mjNGROUP - 1);
 }
@@ -120,8 +120,9 @@ std::string Joined(const std::vector<std::string>& words) {
   return text;
 }
 
-// A box around what is shown of the bodies where the model starts and in all its keyframes; where
-// nothing is shown, around what MuJoCo takes for the middle of the model. Uses the scene.
+// Returns a box around the bodies that are shown, in the model's initial state and in all its
+// keyframes. If nothing is shown, the box is around MuJoCo's middle of the model. Overwrites the
+// scene.
 Box BoxOfKeyframes(const mjModel& model, const mjvOption& option, mjvCamera& camera,
                    mjvScene& scene) {
   Box box;
@@ -137,7 +138,7 @@ Box BoxOfKeyframes(const mjModel& model, const mjvOption& option, mjvCamera& cam
       }
     }
     if (option.flags[mjVIS_SKIN] != 0 && model.nskin > 0) {
-      // MuJoCo has no other function for it that does not warn.
+      // MuJoCo has no other function that computes the skin without a warning.
       mjv_updateScene(&model, data.get(), &option, nullptr, &camera, mjCAT_ALL, &scene);
       for (mjtSize vertex = 0; vertex < model.nskinvert; ++vertex) {
         const float* const p = scene.skinvert + 3 * vertex;
@@ -154,8 +155,8 @@ Box BoxOfKeyframes(const mjModel& model, const mjvOption& option, mjvCamera& cam
   return box;
 }
 
-// From how far away [m], seen along a direction, all corners of a box are in the picture; the angle
-// is that from its bottom to its top.
+// Returns the least distance [m] along a direction from which all corners of a box are in the
+// picture. The angle is from the bottom to the top of the picture.
 double DistanceToSee_m(const Box& box, const Direction& from, double field_of_view_deg,
                        const PictureSize& size) {
   const double azimuth_rad = RadiansFromDegrees(from.azimuth_deg);
@@ -260,13 +261,14 @@ FrameRenderer::FrameRenderer(const mjModel& model, std::string name, const View&
 }
 
 FrameRenderer::~FrameRenderer() {
-  // What belongs to a context can be given back only while that is current.
+  // Resources of a context can be freed only while the context is current.
   if (!context_.MakeCurrent()) {
     static_cast<void>(renderer_.release());  // NOLINT(bugprone-unused-return-value): it leaks
   }
 }
 
-// Looks at the middle of a box around all that the bodies do, from where its corners are in view.
+// Aims at the middle of a box around all poses of the bodies, from where all its corners are
+// visible.
 void FrameRenderer::AimFrom(std::size_t direction) {
   const Box box = BoxOfKeyframes(*model_, option_, camera_, *scene_);
   Direction from = kDirections[direction];
@@ -297,8 +299,8 @@ void FrameRenderer::UpdateScene(mjData& data) {
   KeepSkinBetweenClipPlanes();
 }
 
-// Takes the geoms of bodies that move a skin out of the scene: a bone that comes through it is seen
-// with bones shown.
+// Removes the geoms of bodies that move a skin from the scene. A bone that comes through the skin
+// is therefore visible only if bones are shown.
 void FrameRenderer::HideBones() {
   const int* const bones = model_->skin_bonebodyid;
   mjvGeom* const geoms = scene_->geoms;
@@ -313,13 +315,15 @@ void FrameRenderer::HideBones() {
   scene_->ngeom = static_cast<int>(std::remove_if(geoms, geoms + scene_->ngeom, is_bone) - geoms);
 }
 
-// MuJoCo puts the clip planes by the extent of the model, which geoms alone make.
+// Moves the clip planes so that the skin lies between them. MuJoCo places them by the extent of the
+// model, which counts geoms only.
 void FrameRenderer::KeepSkinBetweenClipPlanes() {
   if (option_.flags[mjVIS_SKIN] == 0) {
     return;
   }
   constexpr float kMargin = 1.05F;
-  // Of the far plane's distance; closer, the depth of what is far cannot be told any more.
+  // Least distance of the near plane as a share of the far plane's. With a nearer one, the depth of
+  // distant parts is too inaccurate.
   constexpr float kNearest = 1e-4F;
   for (mjvGLCamera& camera : scene_->camera) {
     float nearest = camera.frustum_near;
@@ -329,13 +333,13 @@ void FrameRenderer::KeepSkinBetweenClipPlanes() {
       for (int k = 0; k < 3; ++k) {
         depth += camera.forward[k] * (scene_->skinvert[3 * vertex + k] - camera.pos[k]);
       }
-      // What is behind the camera is not seen.
+      // Vertices behind the camera are not visible.
       nearest = depth > 0 ? std::min(nearest, depth / kMargin) : nearest;
       farthest = std::max(farthest, depth * kMargin);
     }
     nearest = std::max(nearest, std::min(camera.frustum_near, kNearest * farthest));
     if (camera.orthographic == 0) {
-      // The picture's edges are given where the near plane is.
+      // The edges of the picture are given at the near plane.
       const float scale = nearest / camera.frustum_near;
       camera.frustum_center *= scale;
       camera.frustum_width *= scale;
@@ -364,7 +368,7 @@ Picture FrameRenderer::Draw(mjData& data) {
                      context_.Description() + "). Choose a smaller picture, or set " + kGlVariable +
                      "=osmesa");
   }
-  // OpenGL's rows go up.
+  // OpenGL's rows go from the bottom to the top.
   for (auto top = picture.rgb.begin(), bottom = picture.rgb.end() - static_cast<long>(row);
        top < bottom; top += static_cast<long>(row), bottom -= static_cast<long>(row)) {
     std::swap_ranges(top, top + static_cast<long>(row), bottom);

@@ -17,29 +17,30 @@
 
 namespace girdle {
 
-/// The cameras of a model by name, and the words of kCameraWords that it does not have itself.
+/// Returns the names of a model's cameras, and the words of kCameraWords that none of them has.
 [[nodiscard]] std::vector<std::string> CameraNames(const mjModel& model);
 
-/// Draws states of one model from one place.
+/// Draws states of one model as seen from one camera.
 ///
-/// A word of kCameraWords is the model's own camera of that name, or else one that looks from there
-/// at all bodies as they stand at the start and in the keyframes, skins included. Any number of
-/// renderers may live at a time, in one thread: each draws in an OpenGL context of its own and
-/// makes it current first, without which MuJoCo would return another's memory. An EngineWatch has
-/// to live longer than this.
+/// If the model has no camera named by a word of kCameraWords, a camera is made. It looks from that
+/// side at all bodies, skins included, as they are at the start and in the keyframes.
+///
+/// Any number of renderers may exist at a time, in one thread. Each draws in its own OpenGL context
+/// and makes it current first; otherwise MuJoCo would return another context's pixels. An
+/// EngineWatch must outlive this object.
 class FrameRenderer {
  public:
-  /// `name` stands in messages for the model. Throws InputError if the view names a camera that
-  /// there is not, wants a skin of a model that has none, is smaller or larger than view.h says, or
-  /// if nothing here draws without a screen.
+  /// `name` is the model's name in messages. Throws InputError if the view names an unknown camera,
+  /// wants a skin of a model without one, or has a size outside the limits of view.h. Also throws
+  /// if this machine cannot draw without a screen.
   FrameRenderer(const mjModel& model, std::string name, const View& view);
   FrameRenderer(const FrameRenderer&) = delete;
   FrameRenderer& operator=(const FrameRenderer&) = delete;
   ~FrameRenderer();
 
-  /// Draws a state of the model, or of one with the same sizes, whose positions MuJoCo has derived
-  /// (mj_fwdPosition or more). It is not changed. Throws InputError if MuJoCo or OpenGL fails, or
-  /// if the picture is blank or noise.
+  /// Draws a state of the model, or of one with the same sizes. MuJoCo must have derived its
+  /// positions (mj_fwdPosition or more). The state is not changed. Throws InputError if MuJoCo or
+  /// OpenGL fails, or if the picture is blank or noise.
   [[nodiscard]] Picture Draw(mjData& data);
 
  private:
@@ -58,7 +59,7 @@ class FrameRenderer {
   std::string name_;
   View view_;
   Show show_;
-  ModelPointer model_;  ///< a copy, with buffers of the picture's size
+  ModelPointer model_;  ///< a copy, with drawing buffers of the picture's size
   GlContext context_;
   mjvCamera camera_;
   mjvOption option_;

@@ -14,7 +14,7 @@
 #include "kinematics/words.h"
 #include "text/input_error.h"
 
-// Types alone: the functions come from the library that is opened, and X11 is not wanted.
+// Declares only types: the functions come from the library that is opened, and X11 is not used.
 #define EGL_EGL_PROTOTYPES 0
 #define EGL_NO_X11
 #include <EGL/egl.h>
@@ -23,13 +23,13 @@
 namespace girdle {
 namespace {
 
-// What makes an OpenGL context without a screen, in the order in which they are tried.
+// Platforms that make an OpenGL context without a screen, in the order in which they are tried.
 enum class GlPlatform {
   kEglDevice,
   kEglSurfaceless,
   kOsMesa,
 };
-// For people, in the order of the enumerators.
+// Names for people, in the order of the enumerators.
 constexpr std::array<std::string_view, 3> kPlatformNames = {"EGL device", "EGL surfaceless",
                                                             "OSMesa"};
 constexpr const auto& WordsOf(GlPlatform /*which*/) noexcept { return kPlatformNames; }
@@ -47,10 +47,10 @@ class GlLibrary {
   [[nodiscard]] virtual GlPlatform platform() const noexcept = 0;
   /// Returns a context, or null.
   [[nodiscard]] virtual void* Create() = 0;
-  /// Returns whether it is the current one now; null makes none current.
+  /// Makes a context current, or none if `context` is null. Returns whether this succeeded.
   [[nodiscard]] virtual bool MakeCurrent(void* context) noexcept = 0;
   virtual void Destroy(void* context) noexcept = 0;
-  /// An OpenGL function, or null.
+  /// Returns an OpenGL function, or null.
   [[nodiscard]] virtual void* Function(const char* name) noexcept = 0;
 };
 
@@ -59,10 +59,10 @@ namespace {
 constexpr const char* kInstall =
     "apt-get install libegl1 libgl1-mesa-dri, or: apt-get install libosmesa6";
 
-// A library that is closed with its scope unless it is to be kept.
+// A library that the destructor closes unless Keep was called.
 class SharedLibrary {
  public:
-  // Tries names in turn.
+  // Opens the first of `names` that can be opened.
   explicit SharedLibrary(const std::vector<const char*>& names) {
     for (const char* name : names) {
       handle_ = dlopen(name, RTLD_NOW | RTLD_LOCAL);
@@ -95,11 +95,11 @@ class SharedLibrary {
     return reinterpret_cast<Function>(dlsym(handle_, name));
   }
 
-  // Keeps it open, whatever comes of it. To be called before its functions are: they may start
-  // threads, even where they fail, and what has threads cannot be closed.
+  // Keeps the library open for good. Call this before any of its functions: they may start threads
+  // even if they fail, and a library with threads cannot be closed.
   void Keep() noexcept { is_kept_ = true; }
 
-  // Makes its functions those that MuJoCo finds.
+  // Makes the library's functions the ones that MuJoCo finds.
   void Publish() const { dlopen(name_, RTLD_NOW | RTLD_GLOBAL | RTLD_NOLOAD); }
 
  private:
@@ -109,7 +109,7 @@ class SharedLibrary {
   std::string reason_;
 };
 
-// Whether a list of extensions, with a space between, holds one.
+// Whether a list of extensions, separated by spaces, has a certain one.
 bool Lists(const char* extensions, std::string_view name) {
   return extensions != nullptr &&
          (" " + std::string(extensions) + " ").find(" " + std::string(name) + " ") !=
@@ -161,7 +161,7 @@ class EglLibrary : public GlLibrary {
 
   [[nodiscard]] GlPlatform platform() const noexcept override { return platform_; }
 
-  // Of OpenGL's compatibility profile, which MuJoCo needs and which is what no attributes mean.
+  // Makes a context of OpenGL's compatibility profile, which MuJoCo needs and which is the default.
   [[nodiscard]] void* Create() override {
     return egl_.bind_api(EGL_OPENGL_API) == EGL_FALSE
                ? nullptr
@@ -194,7 +194,7 @@ bool Works(GlLibrary& library) {
   return works;
 }
 
-// EGL on one display, or null.
+// Returns EGL on one display, or null.
 std::unique_ptr<GlLibrary> EglOn(const EglFunctions& egl, GlPlatform platform, EGLDisplay display) {
   if (display == EGL_NO_DISPLAY || egl.initialize(display, nullptr, nullptr) == EGL_FALSE) {
     return nullptr;
@@ -221,7 +221,7 @@ std::unique_ptr<GlLibrary> OpenEgl(std::string& problems) {
     problems += "EGL: " + library.reason();
     return nullptr;
   }
-  // What it finds no device for it would say on standard error, and go on.
+  // EGL must not print that it finds no device: it continues without one.
   setenv("EGL_LOG_LEVEL", "fatal", 0);
   library.Keep();
   const EglFunctions egl(library);
@@ -256,8 +256,8 @@ std::unique_ptr<GlLibrary> OpenEgl(std::string& problems) {
   return found;
 }
 
-// The few functions and numbers of Mesa's off-screen interface, which has had them since 1998. Its
-// header would bring all of OpenGL's with it.
+// The functions and numbers of Mesa's off-screen interface that are needed, which have been stable
+// since 1998. Its header would include all of OpenGL's.
 using OsMesaCreateFunction = void* (*)(unsigned format, int depth_bits, int stencil_bits,
                                        int accumulation_bits, void* shared);
 using OsMesaMakeCurrentFunction = unsigned char (*)(void* context, void* buffer, unsigned type,
@@ -299,7 +299,7 @@ class OsMesaLibrary : public GlLibrary {
   OsMesaMakeCurrentFunction make_current_;
   OsMesaDestroyFunction destroy_;
   OsMesaFunctionFunction function_;
-  // A context has to have one; what is drawn goes to buffers that MuJoCo makes.
+  // A context must have a buffer. It stays unused, because MuJoCo draws to buffers of its own.
   static constexpr int kSide = 16;
   std::array<unsigned char, static_cast<std::size_t>(4) * kSide * kSide> unused_{};
 };
@@ -352,7 +352,7 @@ std::unique_ptr<GlLibrary> OpenLibrary() {
   return library;
 }
 
-// The one of this process, and its displays, until the end.
+// Returns the library of this process. It and its displays live until the process ends.
 GlLibrary& Library() {
   static GlLibrary* const kLibrary = OpenLibrary().release();
   return *kLibrary;

@@ -3,11 +3,12 @@
 
 /// OpenGL without a screen.
 ///
-/// The libraries are opened when the first context is made, so that a machine without them can do
-/// everything else. MuJoCo takes its OpenGL functions once in a process, from the library that it
-/// finds among the process's global symbols; so all contexts of a process are of one platform, and
-/// only the library chosen is made global. Tried in turn: EGL on a device (a graphics card, or
-/// Mesa's software renderer as one), EGL on Mesa's surfaceless platform, OSMesa.
+/// The libraries are opened when the first context is made, so that all else works on a machine
+/// without them. MuJoCo takes its OpenGL functions once in a process, from the library that it
+/// finds among the process's global symbols. All contexts of a process therefore use one platform,
+/// and only the chosen library is made global. The platforms are tried in this order: EGL on a
+/// device (a graphics card, or Mesa's software renderer), EGL on Mesa's surfaceless platform,
+/// OSMesa.
 #pragma once
 
 #include <array>
@@ -16,27 +17,28 @@
 
 namespace girdle {
 
-/// Environment variable that chooses among them: empty or not set for the first that works, or one
-/// of these words.
+/// Environment variable that chooses the platform: one of these words, or empty or not set for the
+/// first platform that works.
 inline constexpr const char* kGlVariable = "GIRDLE_GL";
 inline constexpr std::array<std::string_view, 3> kGlWords = {"egl", "osmesa", "none"};
 
 class GlLibrary;
 
-/// A context of its own, current until another one is made current.
+/// An OpenGL context that is current until another one is made current.
 class GlContext {
  public:
-  /// Throws InputError that says why nothing here draws without a screen and what to install, or
-  /// that kGlVariable does not hold one of kGlWords.
+  /// Throws InputError if this machine cannot draw without a screen, with the reason and the
+  /// packages to install, or if kGlVariable does not hold one of kGlWords.
   GlContext();
   GlContext(const GlContext&) = delete;
   GlContext& operator=(const GlContext&) = delete;
   ~GlContext();
 
-  /// Returns whether it is the current one now.
+  /// Makes the context current. Returns whether this succeeded.
   [[nodiscard]] bool MakeCurrent() const noexcept;
 
-  /// For people: `EGL device, llvmpipe (LLVM 15.0.6, 256 bits)`. Makes the context current.
+  /// Returns a text for people: `EGL device, llvmpipe (LLVM 15.0.6, 256 bits)`. Makes the context
+  /// current.
   [[nodiscard]] std::string Description() const;
 
  private:

@@ -10,7 +10,7 @@ namespace girdle {
 namespace {
 
 constexpr std::size_t kColours = 3;
-// A renderer that dithers one colour stays within it.
+// A renderer that dithers one colour stays within this range.
 constexpr int kBlankRange = 2;
 constexpr double kNoiseRatio = 0.7;
 
@@ -32,7 +32,7 @@ bool IsBlank(const Picture& picture) noexcept {
   return true;
 }
 
-// Sum of the variances of the colours.
+// Returns the sum of the variances of the colours.
 double Variance(const Picture& picture) noexcept {
   std::array<double, kColours> sum{};
   std::array<double, kColours> squares{};
@@ -49,7 +49,7 @@ double Variance(const Picture& picture) noexcept {
   return variance;
 }
 
-// Mean over pixels of the squared distance to the pixel `right` and `down` of them.
+// Returns the mean over pixels of the squared difference to the pixel `right` and `down` of them.
 double NeighbourDifference(const Picture& picture, std::size_t right, std::size_t down) noexcept {
   const auto width = static_cast<std::size_t>(picture.size.width);
   const auto height = static_cast<std::size_t>(picture.size.height);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// A picture in memory, and whether it can be one.
+/// A picture in memory, and a check that a renderer really drew it.
 #pragma once
 
 #include <cstddef>
@@ -20,22 +20,22 @@ struct Picture {
   std::vector<std::uint8_t> rgb;  ///< 3 * width * height
 };
 
-/// What is wrong with a picture that a renderer gave.
+/// Faults of a picture from a renderer.
 enum class PictureFault {
   kBlank,  ///< one colour all over
-  kNoise,  ///< memory that nobody drew on: pixels have nothing to do with their neighbours
+  kNoise,  ///< memory that was never drawn on: pixels are unrelated to their neighbours
 };
 
-/// Returns what is wrong with a picture, or nothing.
+/// Returns the fault of a picture, or nothing.
 ///
-/// Blank: of each colour all values lie within two of one another. Noise: along rows and along
-/// columns, the mean squared difference of neighbours is more than 0.7 of what it is between
-/// pixels far apart,
+/// A picture is blank if, for each colour, all values differ by at most two. A picture is noise if,
+/// along rows and along columns, the mean squared difference d of neighbours exceeds 0.7 of that
+/// between pixels far apart:
 ///
 ///     d = mean (a_i - a_(i+1))^2,   d / (2 var a) > 0.7,
 ///
-/// where it is 1 for pixels that do not depend on each other and below 0.2 for what was drawn, also
-/// where there is a fine pattern: stripes differ in one direction only.
+/// The ratio is 1 for pixels that are independent of each other, and below 0.2 for drawn pictures.
+/// A fine pattern of stripes is no noise, because stripes differ in one direction only.
 [[nodiscard]] std::optional<PictureFault> FaultOf(const Picture& picture) noexcept;
 
 }  // namespace girdle

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// The picture and the video that a simulation is asked for.
+/// The picture and the video of a simulation.
 #pragma once
 
 #include "pictures/view.h"
@@ -9,11 +9,11 @@
 
 namespace girdle {
 
-/// What a simulation draws.
+/// Pictures that a simulation draws.
 struct PictureRequest {
   View view;
-  TextSink png;    ///< gets a PNG file of the last instant; null for none
-  int video = -1;  ///< open file that gets a video in real time, an MP4; -1 for none
+  TextSink png;    ///< receives a PNG file of the last instant; null for none
+  int video = -1;  ///< open file that receives a video in real time, an MP4; -1 for none
   int frames_per_s = 30;
 };
 

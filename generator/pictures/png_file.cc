@@ -16,8 +16,8 @@ std::string PngBytes(const Picture& picture) {
   image.height = static_cast<png_uint_32>(picture.size.height);
   image.format = PNG_FORMAT_RGB;
   std::string bytes;
-  // The largest that any picture of this size needs; a second pass only to measure would compress
-  // it twice.
+  // The largest size that any picture of these dimensions needs. A pass to measure the exact size
+  // would compress the picture twice.
   png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
   bytes.resize(size);
   if (png_image_write_to_memory(&image, bytes.data(), &size, 0, picture.rgb.data(), 0, nullptr) ==

@@ -10,8 +10,8 @@
 
 namespace girdle {
 
-/// Returns the bytes of a PNG file, 8 bits a colour, sRGB, without date or comment: the same
-/// picture gives the same bytes. Throws InputError if there is not enough memory.
+/// Returns the bytes of a PNG file: 8 bits per colour, sRGB, without date and comment. Equal
+/// pictures give equal bytes. Throws InputError if there is not enough memory.
 [[nodiscard]] std::string PngBytes(const Picture& picture);
 
 }  // namespace girdle

@@ -8,7 +8,7 @@
 namespace girdle {
 namespace {
 
-// Times are sums of steps.
+// Rounding of times, which are sums of steps.
 constexpr double kRounding_s = 1e-9;
 
 }  // namespace

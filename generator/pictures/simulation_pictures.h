@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// The pictures that a simulation draws on its way: a video in real time and the last instant.
+/// The pictures that a simulation draws while it runs: a video in real time, and the last instant.
 #pragma once
 
 #include <optional>
@@ -14,19 +14,20 @@
 
 namespace girdle {
 
-/// Frame k of the video is the first state at or after k / frames_per_s seconds, so that it lasts
-/// as long as what it shows; states farther apart than frames are shown more than once.
+/// Frame k of the video is the first state at or after k / frames_per_s seconds, so that the video
+/// lasts as long as the simulated time. A state is shown more than once if states are farther apart
+/// than frames.
 class SimulationPictures {
  public:
-  /// Starts the renderer and ffmpeg, if they are needed. Throws InputError as they do. Simulation
-  /// and request must outlive this.
+  /// Starts the renderer and ffmpeg if they are needed. Throws InputError as FrameRenderer and
+  /// VideoPipe do. Simulation and request must outlive this.
   SimulationPictures(ShoulderSimulation& simulation, const PictureRequest& request);
 
-  /// Draws the state that the simulation has derived last, at `time_s`, as often as a frame is due,
-  /// and for the picture if it is the last one.
+  /// Draws the state that the simulation derived last, at `time_s`: once for each frame that is
+  /// due, and for the picture if `is_last`.
   void Add(double time_s, bool is_last);
 
-  /// Waits for the video. Returns the number of its frames.
+  /// Waits until the video is complete. Returns the number of its frames.
   long Finish();
 
  private:

@@ -17,7 +17,7 @@
 namespace girdle {
 namespace {
 
-// Its list of encoders has a line ` V....D libx264  ...` for each.
+// Whether ffmpeg's list of encoders has this one, in a line such as ` V....D libx264  ...`.
 bool HasEncoder(const std::filesystem::path& ffmpeg, const std::string& name) {
   const MemoryFile list("encoders");
   ChildProgram asked(ffmpeg, {"-hide_banner", "-loglevel", "error", "-encoders"},
@@ -26,7 +26,7 @@ bool HasEncoder(const std::filesystem::path& ffmpeg, const std::string& name) {
   return asked.Wait().is_fine() && list.Content().find(" " + name + " ") != std::string::npos;
 }
 
-// The encoder with its options: pictures that one cannot tell from the frames.
+// Returns the encoder with its options. The video cannot be told from the frames by eye.
 std::vector<std::string> EncoderOptions(const std::filesystem::path& ffmpeg) {
   if (HasEncoder(ffmpeg, "libx264")) {
     return {"-c:v", "libx264", "-crf", "18", "-preset", "medium"};
@@ -39,7 +39,7 @@ std::vector<std::string> EncoderOptions(const std::filesystem::path& ffmpeg) {
                    "apt-get install ffmpeg");
 }
 
-// The last lines, on one.
+// Returns the last lines on one line.
 std::string LastWords(const std::string& messages) {
   constexpr std::size_t kMost = 300;
   std::string words = messages.substr(messages.size() - std::min(messages.size(), kMost));
@@ -47,7 +47,7 @@ std::string LastWords(const std::string& messages) {
   return words.substr(0, words.find_last_not_of(' ') + 1);
 }
 
-// Frames come from the standard input, the video goes to kExtraDescriptor.
+// Returns ffmpeg's arguments. Frames come from standard input; the video goes to kExtraDescriptor.
 std::vector<std::string> Arguments(const std::filesystem::path& ffmpeg, const PictureSize& size,
                                    int frames_per_s) {
   std::vector<std::string> words = {"-hide_banner",
@@ -69,8 +69,8 @@ std::vector<std::string> Arguments(const std::filesystem::path& ffmpeg, const Pi
   for (std::string& word : EncoderOptions(ffmpeg)) {
     words.push_back(std::move(word));
   }
-  // By its name in /dev/fd, because the index goes to the front in a second pass that opens it
-  // again. Without the encoder's version, so that the same frames give the same bytes.
+  // The output is named in /dev/fd, because a second pass opens it again to move the index to the
+  // front. The encoder's version is left out, so that equal frames give equal bytes.
   for (const char* word : {"-pix_fmt", "yuv420p", "-movflags", "+faststart", "-fflags", "+bitexact",
                            "-flags:v", "+bitexact", "-f", "mp4"}) {
     words.emplace_back(word);
@@ -116,7 +116,7 @@ void VideoPipe::Fail(const ChildEnd& end) const {
 }
 
 void VideoPipe::FailAtItsEnd() {
-  // For its last words.
+  // Time for ffmpeg to write its last messages.
   constexpr std::chrono::seconds kTimeToEnd(2);
   if (const std::optional<ChildEnd> end = ffmpeg_->Wait(kTimeToEnd)) {
     Fail(*end);

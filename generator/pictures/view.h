@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// What a picture shows: from where, how large, and which layers of the body. Known without MuJoCo,
-/// so that the command line can read it.
+/// View of a picture: camera, size, and the layers of the body that are drawn. Needs no MuJoCo, so
+/// that the command line can read it.
 #pragma once
 
 #include <array>
@@ -20,8 +20,8 @@ struct PictureSize {
   [[nodiscard]] bool operator==(const PictureSize&) const noexcept = default;
 };
 
-/// Smallest and largest width or height of a picture [pixels]. The largest is what every renderer
-/// of today takes, with four samples a pixel in a few hundred megabytes.
+/// Smallest and largest width or height of a picture [pixels]. Every present renderer can draw the
+/// largest, with four samples per pixel in a few hundred megabytes of memory.
 inline constexpr int kSmallestPicture = 16;
 inline constexpr int kLargestPicture = 4096;
 
@@ -29,14 +29,15 @@ inline constexpr int kLargestPicture = 4096;
 inline constexpr int kSlowestVideo_per_s = 1;
 inline constexpr int kFastestVideo_per_s = 240;
 
-/// Words for directions to look from: the person's own front and back, from above with the front
-/// up, and from above in front of the right arm (of the left one where there is no right one).
+/// Words for cameras: from the person's front, from the back, from above with the front at the top
+/// of the picture, and from above in front of the right arm (of the left arm if there is no right
+/// one).
 inline constexpr std::array<std::string_view, 4> kCameraWords = {"front", "back", "above",
                                                                  "oblique"};
 
 /// Which layers of a body are drawn.
 enum class Show {
-  kSkin,   ///< the skin, without what moves it
+  kSkin,   ///< the skin, without the parts that move it
   kBones,  ///< bones, without the skin
   kBoth,   ///< bones in a translucent skin
 };
@@ -48,7 +49,7 @@ struct View {
   /// A camera of the model, or a word of kCameraWords.
   std::string camera = "oblique";
   PictureSize size;
-  /// Nothing for the skin, or the bones of a model without one.
+  /// If empty: the skin, or the bones of a model without skin.
   std::optional<Show> show = std::nullopt;
 };
 

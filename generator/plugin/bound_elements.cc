@@ -37,7 +37,7 @@ double BoundControl::ReadFinite(const ModelView& model, const DataView& data) co
   return std::isfinite(value) ? value : 0;
 }
 
-// The bits of the option stand for the first groups; other groups cannot be disabled.
+// The option has one bit for each of the first groups. Other groups cannot be disabled.
 bool BoundServo::IsDisabled(const ModelView& model) const noexcept {
   constexpr int kBits = 31;
   return group >= 0 && group < kBits && ((model.disableactuator >> group) & 1) != 0;

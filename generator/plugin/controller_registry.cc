@@ -8,7 +8,8 @@
 
 namespace girdle {
 
-// Another process hands out other tickets, so that those of its mjData are strangers here.
+// Tickets begin at the time of the process's start. Another process has other tickets, so that
+// tickets in its mjData are unknown here.
 ControllerRegistry::ControllerRegistry() noexcept
     : next_(static_cast<std::uintptr_t>(
           std::chrono::system_clock::now().time_since_epoch().count())) {}
@@ -99,7 +100,7 @@ void ControllerRegistry::Remove(const mjData* data, int instance) noexcept {
   }
   Place* const place = PlaceOf(at->second);
   tickets_.erase(at);
-  if (place != nullptr) {  // null where Add ran out of memory
+  if (place != nullptr) {  // null if Add ran out of memory
     place->ticket.store(0, std::memory_order_release);
     delete place->controller.exchange(nullptr, std::memory_order_relaxed);
     place->next_free = std::exchange(first_free_, place);

@@ -14,7 +14,7 @@
 namespace girdle {
 namespace {
 
-// Libraries whose file name begins so are engines: libmujoco.so, libmujoco.so.4.0.1.
+// Engines are the libraries whose file name begins with this: libmujoco.so, libmujoco.so.4.0.1.
 constexpr const char* kEngineFileName = "libmujoco.so";
 
 template <typename Function>
@@ -40,7 +40,7 @@ bool IsKnown(const EngineFunctions& engine) noexcept {
   return engine.complete() && FindEngineLayout(engine.version()) != nullptr;
 }
 
-// Looks at one loaded library; returns 1, which ends the walk, at an engine whose layout is known.
+// Examines one loaded library. Returns 1, which ends the walk, for an engine with a known layout.
 int VisitLibrary(dl_phdr_info* info, std::size_t /*size*/, void* found) noexcept {
   const char* slash = std::strrchr(info->dlpi_name, '/');
   const char* file_name = slash == nullptr ? info->dlpi_name : slash + 1;
@@ -52,7 +52,7 @@ int VisitLibrary(dl_phdr_info* info, std::size_t /*size*/, void* found) noexcept
     return 0;
   }
   const EngineFunctions engine = FunctionsOf(library);
-  dlclose(library);  // gives back this handle only: the process keeps its engine
+  dlclose(library);  // closes this handle only; the process keeps its engine
   if (!engine.complete()) {
     return 0;
   }

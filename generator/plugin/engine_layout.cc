@@ -9,7 +9,7 @@
 namespace girdle {
 namespace {
 
-// Ascending.
+// In ascending order of versions.
 constexpr EngineLayout kLayouts[] = {
 #include "plugin/engine_layouts.inc"
 };
@@ -29,7 +29,7 @@ std::string KnownEngineVersions() {
 }
 
 std::string EngineVersionText(int version) {
-  // Until 3.4 a version was written with three digits.
+  // Versions before 3.4 have three digits.
   const int base = version < 1000 ? 10 : 1000;
   return std::to_string(version / (base * base)) + "." + std::to_string(version / base % base) +
          "." + std::to_string(version % base);

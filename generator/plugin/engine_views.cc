@@ -6,8 +6,8 @@
 namespace girdle {
 namespace {
 
-// Whether the pointer at `offset` leads into the buffer that holds all arrays of the struct. The
-// pointer of an array without elements may lead to the buffer's end, or be null.
+// Whether the pointer at `offset` points into the buffer that holds all arrays of the struct. The
+// pointer of an array without elements may be the buffer's end or null.
 bool LeadsIntoBuffer(const void* base, const EngineLayout::Buffer& buffer,
                      std::uint32_t offset) noexcept {
   const auto begin = ReadMember<std::uintptr_t>(base, buffer.begin);
@@ -46,7 +46,7 @@ bool LayoutFits(const mjModel& model, const mjData& data, const EngineLayout& en
   if (!fits) {
     return false;
   }
-  // Where a member before them was added or left away, the names are others.
+  // If a member before them was added or removed, the names are wrong.
   const ModelView view = ViewOf(model, engine);
   return name == nullptr || name == view.names + view.name_pluginadr[instance];
 }

@@ -19,14 +19,15 @@
 namespace girdle {
 namespace {
 
-// A servo lags by damping / stiffness, 20 ms in the emitted models [s]. Shorter ones ring, longer
-// ones are slower than the arm.
+// The lag of a servo is damping / stiffness, 20 ms in the emitted models [s]. Servos with a shorter
+// lag ring; those with a longer one are slower than the arm.
 constexpr double kUsualLag_s = 0.02;
 constexpr double kShortestLag_s = 0.004;
 constexpr double kLongestLag_s = 0.1;
-// Of a ligament beyond its slack: 20 N, which turn no joint by more than 0.02 degrees.
+// A stretch of a ligament beyond its slack with little effect: 20 N, which turn no joint by more
+// than 0.02 degrees.
 constexpr double kSlightStretch_m = 2e-4;
-// By which a joint lags at least where the arm goes up and down once a second.
+// Least lag of a joint while the arm moves up and down once a second.
 constexpr double kOrdinaryError_rad = 0.1;
 constexpr double kOrdinaryError_m = 0.01;
 constexpr int kPolynomialTerms = 2;  // mjNPOLY
@@ -95,12 +96,13 @@ class FaultFinder {
     return actuator;
   }
 
-  // Whether a range is narrower than what a servo needs.
+  // Whether a range is narrower than a servo needs.
   static bool IsTight(mjtByte is_limited, const mjtNum* range, double needed) {
     return is_limited != 0 && (range[0] > -needed || range[1] < needed);
   }
 
-  // The first servo that is held back; the line mends all.
+  // Reports the first servo whose force is limited too far. The line in the message mends all
+  // servos.
   void CheckForceRanges() {
     for (const BoundServo* const servo : Servos()) {
       const int joint = model_.dof_jntid[servo->dof_address];
@@ -111,7 +113,7 @@ class FaultFinder {
       std::string line = "actuatorfrclimited=\"false\" into <joint> of <default class=\"girdle\">";
       if (!IsTight(compiled_.jnt_actfrclimited[joint], range, needed)) {
         range = compiled_.actuator_forcerange + 2 * actuator;
-        // Actuators take no class of their body.
+        // Defaults of a body's class do not apply to actuators.
         line = "forcelimited=\"false\" into each of the shoulder's <plugin> in <actuator>";
         if (!IsTight(compiled_.actuator_forcelimited[actuator], range, needed)) {
           continue;
@@ -125,7 +127,7 @@ class FaultFinder {
     }
   }
 
-  // Driven joints, and of each what its servo's stiffness is [N m/rad].
+  // Returns the servos of all driven joints. Stiffness is in N m/rad, for slides in N/m.
   [[nodiscard]] std::vector<const BoundServo*> Servos() const {
     std::vector<const BoundServo*> servos;
     servos.reserve(binding_.servos.size() + binding_.place_servos.size());
@@ -167,7 +169,8 @@ class FaultFinder {
     }
   }
 
-  // The first joint that has what only defaults of a parent give it; the line mends all.
+  // Reports the first joint with a property that only a parent's defaults can give it. The line in
+  // the message mends all joints.
   void CheckSprings() {
     for (const BoundServo* const servo : Servos()) {
       const int dof = servo->dof_address;
@@ -201,7 +204,7 @@ class FaultFinder {
     }
   }
 
-  // The ends of a tendon as sites, if it goes straight from the clavicle to the scapula.
+  // The ends of a tendon as sites, if it runs straight from the clavicle to the scapula.
   struct Ends {
     Vector3 on_clavicle_m;
     Vector3 on_scapula_m;
@@ -228,7 +231,8 @@ class FaultFinder {
     return Ends{place(sites[0]), place(sites[1])};
   }
 
-  // The longest that a ligament is where the rhythm goes [m], looked at no farther apart than that.
+  // Returns the largest length of a ligament over the rhythm's domain [m]. The poses are at most
+  // `apart_rad` apart.
   [[nodiscard]] double LongestLength_m(const Ends& ends, double apart_rad) const {
     const ArmRectangle& domain = rhythm_.rhythm().domain();
     const double planes_rad = domain.last_plane_rad - domain.first_plane_rad;
@@ -240,7 +244,7 @@ class FaultFinder {
     const int elevation_steps = steps(elevations_rad);
     double longest_m = 0;
     for (int i = 0; i <= plane_steps; ++i) {
-      // The last ones are the ends themselves, which a rounded sum may pass.
+      // The last value is the bound itself, because a rounded sum may exceed it.
       const double plane_rad = i == plane_steps
                                    ? domain.last_plane_rad
                                    : domain.first_plane_rad + i * planes_rad / plane_steps;

@@ -25,8 +25,8 @@
 namespace girdle {
 namespace {
 
-// Set once while the library is loaded, before MuJoCo can call anything below. The registry is
-// never deleted: a program may delete its mjData as the very last.
+// These are set once while the library is loaded, before MuJoCo can call any function below. The
+// registry is never deleted, because a program may delete its mjData last of all.
 EngineFunctions engine;                  // NOLINT(readability-identifier-naming)
 const EngineLayout* layout = nullptr;    // NOLINT(readability-identifier-naming)
 ControllerRegistry* registry = nullptr;  // NOLINT(readability-identifier-naming)
@@ -50,13 +50,14 @@ std::unique_ptr<RhythmController> MakeController(const mjModel* model, int insta
   return std::make_unique<RhythmController>(ViewOf(*model, *layout), instance, config);
 }
 
-// Warns of an instance, which need not have a name.
+// Writes a warning about an instance. The instance may lack a name.
 void Warn(const char* instance_name, const char* message) noexcept {
   engine.warning("%s instance \"%s\": %s", kPluginName,
                  instance_name == nullptr ? "" : instance_name, message);
 }
 
-// What moves the shoulder wrongly without a word: faults of this engine, and of the model.
+// Returns faults of this engine and of the model that move the shoulder wrongly without a warning
+// of MuJoCo's own.
 std::string Faults(const mjModel* model, const RhythmController& controller) {
   const std::string of_engine = EngineFault(engine.version(), engine.is_sparse(model) != 0);
   const std::string of_model =
@@ -65,7 +66,7 @@ std::string Faults(const mjModel* model, const RhythmController& controller) {
          (of_model.empty() ? "" : kModelFaultMark + of_model);
 }
 
-// Returns 0, or -1 after a warning that names instance and fix. Nothing escapes.
+// Returns 0, or -1 after a warning with the instance's name and the fix. Throws nothing.
 int Init(const mjModel* model, mjData* data, int instance) noexcept {
   const char* const name = engine.id_to_name(model, layout->object_plugin, instance);
   if (!LayoutFits(*model, *data, *layout, instance, name)) {
@@ -92,8 +93,8 @@ int Init(const mjModel* model, mjData* data, int instance) noexcept {
   return -1;
 }
 
-// The controller of an mjData that got its ticket from another mjData, or from another process:
-// its own, or a new one. Null after a warning.
+// Returns the controller of an mjData whose ticket is from another mjData or another process: the
+// controller made for it earlier, or a new one. Returns null after a warning.
 RhythmController* RecoveredController(const mjModel* model, mjData* data, int instance) noexcept {
   std::uintptr_t& ticket = TicketIn(*data, instance);
   ticket = registry->TicketOf(data, instance);
@@ -126,8 +127,8 @@ void Compute(const mjModel* model, mjData* data, int instance, int capability) n
   }
 }
 
-// Returns whether the process has the plugin already. Where that is another library than this one,
-// a warning says so.
+// Returns whether the process has the plugin already. Warns if that plugin is from another library
+// than this one.
 bool IsRegistered() {
   const mjpPlugin* const registered = engine.get_plugin(kPluginName, nullptr);
   if (registered == nullptr) {
@@ -148,7 +149,7 @@ bool IsRegistered() {
 void Register() {
   engine = FindEngine();
   if (!engine.complete()) {
-    return;  // no engine in this process: nobody to register with, nobody to tell
+    return;  // the process has no engine to register with or to warn through
   }
   layout = FindEngineLayout(engine.version());
   if (layout == nullptr) {
@@ -172,8 +173,8 @@ void Register() {
   plugin.nattribute = sizeof(kAttributes) / sizeof(kAttributes[0]);
   plugin.attributes = kAttributes;
   plugin.capabilityflags = layout->plugin_actuator | layout->plugin_sensor;
-  // Of the stages the one that asks the engine for nothing more. A change of a control alone, which
-  // leaves out this stage, reaches the sensors by way of the actuators.
+  // The position stage is the one that makes the engine compute least. A change of only a control
+  // skips this stage; Actuate then updates the sensors.
   plugin.needstage = layout->stage_pos;
   plugin.nstate = +[](const mjModel*, int) { return 0; };
   plugin.nsensordata = +[](const mjModel*, int, int) { return int{sensor_layout::kSize}; };
@@ -190,14 +191,15 @@ mjPLUGIN_LIB_INIT(girdle_rhythm) {
   try {
     Register();
   } catch (...) {
-    // Out of memory while the library is loaded: it stays unregistered, and MuJoCo says so.
+    // Out of memory during loading: the plugin stays unregistered, and MuJoCo reports that it is
+    // unknown.
   }
 }
 
 }  // namespace
 }  // namespace girdle
 
-// Named by kPluginVersionSymbol.
+// kPluginVersionSymbol is the name of this function.
 extern "C" __attribute__((visibility("default"))) const char* girdle_rhythm_version() {
   return GIRDLE_VERSION;
 }

@@ -14,7 +14,7 @@
 namespace girdle {
 namespace {
 
-// What a servo can be: a tree's nine coordinates, a loop's own three, the scapula's place.
+// Roles of servos: nine coordinates of a tree, three of a loop, and three of the scapula's place.
 constexpr std::size_t kScapulothoracicRole = kCoordinateCount;
 constexpr std::size_t kTranslationRole = kScapulothoracicRole + 3;
 constexpr std::size_t kServoRoleCount = kTranslationRole + 3;
@@ -32,7 +32,8 @@ std::string ActuatorName(const ModelView& model, int actuator) {
   return name.empty() ? "actuator " + std::to_string(actuator) : "actuator \"" + name + "\"";
 }
 
-// Index of the role that stands last in an actuator's name; the longer one where two end together.
+// Returns the index of the role that ends last in an actuator's name. If two end at one place,
+// returns the longer one.
 template <std::size_t N>
 std::optional<std::size_t> RoleOf(std::string_view actuator_name,
                                   const std::array<std::string_view, N>& roles) {
@@ -145,8 +146,8 @@ class RhythmBinder {
                                std::to_string(model_.actuator_gear[6 * output]) +
                                ", expected 1 (or 0 for a command). Remove gear and set kp instead");
     }
-    // AC's coordinates and the scapula's on the thorax have the same places: a model has one of
-    // them.
+    // AC's coordinates and those of the scapula on the thorax share slots: a model has only one of
+    // the two.
     const std::size_t slot = role < kScapulothoracicRole ? role
                              : is_translation            ? role - kTranslationRole
                                               : kJointCount + role - kScapulothoracicRole;
@@ -158,7 +159,8 @@ class RhythmBinder {
              is_translation ? config_.translation_stiffness_N_per_m
                             : config_.stiffness_N_m_per_rad[slot],
              model_.actuator_group[actuator]};
-    // The first hinge of SC turns the clavicle in the thorax, the last of GH the humerus.
+    // The first hinge of SC belongs to the clavicle, whose parent is the thorax. The last of GH
+    // belongs to the humerus.
     if (role == 0) {
       binding_.clavicle_body = model_.jnt_bodyid[joint];
       binding_.thorax_body = model_.body_parentid[binding_.clavicle_body];
@@ -176,10 +178,10 @@ class RhythmBinder {
     }
   }
 
-  // The first nine are a tree's; a loop has those of the scapula on the thorax instead of AC's, and
-  // three for its place as well or not.
+  // A tree has servos for the first nine roles. A loop has those of the scapula on the thorax in
+  // place of AC's, and optionally three for the scapula's place.
   void CheckServos() {
-    // The first of three roles that has a servo.
+    // Returns the first of three roles that has a servo.
     const auto first_of = [this](std::size_t begin) -> std::optional<std::size_t> {
       for (std::size_t role = begin; role < begin + 3; ++role) {
         if (has_servo_[role]) {
@@ -216,7 +218,8 @@ class RhythmBinder {
     binding_.assembly = st ? Assembly::kLoop : Assembly::kTree;
   }
 
-  // Without a servo nothing says where a joint is, but where the scapula leads the clavicle.
+  // Throws if a joint has no stiffness: nothing would hold it. SC's first two joints may lack it if
+  // the servos of the scapula's place move the clavicle.
   void CheckStiffness() const {
     std::string text;
     bool is_held = true;
@@ -268,8 +271,8 @@ class RhythmBinder {
     }
   }
 
-  // Where the clavicle begins in the thorax, and where on it the scapula hangs. A left shoulder's
-  // are taken to the right.
+  // Finds the origin of the clavicle in the thorax, and that of the scapula on the clavicle. Points
+  // of a left shoulder are mirrored to the right.
   void FindClavicle() {
     binding_.p_TC_m = ToTheRight(model_.body_pos + 3 * binding_.clavicle_body);
     if (binding_.assembly == Assembly::kLoop) {
@@ -289,7 +292,7 @@ class RhythmBinder {
     return OnSide(config_.side, Vector3(p[0], p[1], p[2]));
   }
 
-  // The connects of the two bones, and where on the clavicle the first one is.
+  // Finds the connects of the two bones, and the place of the first one on the clavicle.
   void FindConnects() {
     for (int equality = 0; equality < model_.neq; ++equality) {
       if (model_.eq_type[equality] != model_.engine->equality_connect ||

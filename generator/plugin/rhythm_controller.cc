@@ -24,7 +24,7 @@ bool IsNumber(const ArmCommand& command) noexcept {
          !std::isnan(command.protraction_rad);
 }
 
-// The rhythm of a configuration as the assembly of the model's servos follows it.
+// Returns the rhythm of a configuration, in the assembly of the model's servos.
 AssembledRhythm BoundRhythm(const RhythmConfig& config, const RhythmBinding& binding) {
   const JointRanges& ranges = binding.ranges;
   try {
@@ -60,7 +60,8 @@ ArmCommand RhythmController::ReadCommand(const ModelView& model,
   const BoundControl& axial = binding_.commands[2];
   return {
       binding_.commands[0].Read(model, data), binding_.commands[1].ReadAngle(model, data),
-      // On top of the rhythm's own turn it is an amount, and not an angle.
+      // Counted from the rhythm's own turn, the axial command is an amount. Otherwise it is an
+      // angle, from which whole turns are taken.
       axial_from_ == AxialFrom::kRhythm ? axial.Read(model, data) : axial.ReadAngle(model, data),
       binding_.commands[3].Read(model, data), binding_.commands[4].Read(model, data), axial_from_};
 }
@@ -98,8 +99,8 @@ const RhythmController::Aim& RhythmController::AimFor(const ModelView& model,
   return solved_;
 }
 
-// d target / dt = (d target / d elevation) elevation_rate + (d target / d plane) plane_rate; an
-// axial turn adds to the last coordinate. A command that is held back by its range does not move.
+// d target / dt = (d target / d elevation) elevation_rate + (d target / d plane) plane_rate. An
+// axial turn adds to the last coordinate. A command that its range limits has no rate.
 JointAngles RhythmController::TargetRates(const ModelView& model, const DataView& data,
                                           const Aim& aim) const noexcept {
   const ArmCommand command = ReadCommand(model, data);
@@ -107,7 +108,7 @@ JointAngles RhythmController::TargetRates(const ModelView& model, const DataView
                                                command.axial_rad};
   std::array<double, kRateCount> command_rate{};
   constexpr double kRounding = 1e-9;
-  // Of these, ReadCommand takes whole turns off.
+  // ReadCommand takes whole turns from the commands that are angles.
   const std::array<bool, kRateCount> is_angle = {false, true, axial_from_ != AxialFrom::kRhythm};
   for (std::size_t i = 0; i < kRateCount; ++i) {
     const double held_back = binding_.commands[i].Raw(data) - read[i];
@@ -123,7 +124,7 @@ JointAngles RhythmController::TargetRates(const ModelView& model, const DataView
       rates[k] = angles->by_elevation[k] * elevation_rate + angles->by_plane[k] * plane_rate;
     }
   }
-  // At the end of its range the humerus does not turn further.
+  // At the end of its range the humerus does not rotate further.
   if (aim.used.axial_rad == rhythm_.rhythm().AxialCountedFrom(AxialFrom::kRhythm, command)) {
     rates[kGhAxialIndex] += rhythm_.rhythm().AxialShare(command) * axial_rate;
   }
@@ -171,7 +172,7 @@ void RhythmController::Sense(const ModelView& model, const DataView& data) noexc
   }
 }
 
-// What follows from the commands; where the arm is does not.
+// Writes the values that follow from the commands. Sense writes those of the simulated arm.
 void RhythmController::WriteSensors(const DataView& data, const Aim& aim) const noexcept {
   const double distance_rad = DistanceOf(data, aim);
   for (const BoundSensor& sensor : binding_.sensors) {
@@ -185,15 +186,15 @@ void RhythmController::WriteSensors(const DataView& data, const Aim& aim) const 
       values[sensor_layout::kTarget + k] = sensor.Cut(aim.target_rad[k]);
       values[sensor_layout::kError + k] = sensor.Cut(error_rad);
     }
-    // The axial turn reached on top of the measured one: what was commanded less what the last
-    // coordinate is still missing.
+    // The axial turn reached, counted from the rhythm's own: the command minus the remaining error
+    // of the last coordinate.
     values[sensor_layout::kReached + 2] = sensor.Cut(aim.used.axial_rad - error_rad);
     values[sensor_layout::kDistance] = sensor.Cut(distance_rad);
     values[sensor_layout::kCommandedIsb] = sensor.Cut(aim.axial_isb_rad);
   }
 }
 
-// Measured from the controls themselves: their ranges may be narrower.
+// Returns the distance of the raw controls, because commands are limited to the controls' ranges.
 double RhythmController::DistanceOf(const DataView& data, const Aim& aim) const noexcept {
   const double elevation_rad = binding_.commands[0].Raw(data);
   const double plane_rad = binding_.commands[1].Raw(data);

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Bones: whether those of the model are those of the anatomy.
+// Bones: compares the model's bones with those of the anatomy.
 //
 //     landmark   |R_WB^T (p_W - p_WB) - p_B|,  p_B the anatomy's point on bone B
 //     mass, centre of mass, moments of inertia   those of MuJoCo's bodies minus the anatomy's,
 //     the moments as |R diag(I) R^T - diag(I_anatomy)|, R the body's principal axes
 //
-// A bone is rigid: one pose is enough, that of the table's first position.
+// A bone is rigid, so one pose is enough: that of the table's first position.
 
 #include <array>
 #include <cmath>
@@ -26,11 +26,12 @@
 namespace girdle {
 namespace {
 
-// A millionth of a gram, and of a gram times a square meter. The model holds 17 digits.
+// A millionth of a gram, and a millionth of a gram times a square meter. The model holds 17 digits.
 constexpr double kExact_kg = 1e-9;
 constexpr double kExact_kg_m2 = 1e-9;
 
-// The anatomy's principal axes are the bone's own. A tensor on them is its own mirror image.
+// In the anatomy, the principal axes are the bone's own, so that a bone and its mirror image have
+// equal tensors.
 double InertiaOff_kg_m2(const mjModel& model, int body, const Vector3& wanted_kg_m2) {
   const mjtNum* const q = model.body_iquat + 4 * body;
   const glm::dmat3 axes = glm::mat3_cast(Quaternion{q[0], q[1], q[2], q[3]});
@@ -69,7 +70,7 @@ class BonesGroup : public ResidualGroup {
   }
 
  private:
-  // Of a model of both shoulders, the thorax is symmetric.
+  // In a model with both shoulders, the thorax is symmetric.
   [[nodiscard]] Vector3 OnThorax(const Vector3& point_m) const {
     return shoulder_.simulation.shoulders().size() > 1 ? InMedianPlane(point_m) : point_m;
   }

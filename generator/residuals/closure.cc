@@ -1,16 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Closure: where the simulated arm points, against what was asked of it.
+// Closure: compares the direction of the simulated arm with the direction of the command.
 //
 //     (theta, psi) = direction of the middle of EM and EL from GH, in the thorax
 //     reached - commanded           against the command, as far as an arm goes
 //     against the table's own       against the direction of the splines' q_TH
 //
-// Besides all motions and the table, a grid to the ends of what the arm reaches is looked at, where
-// servos and constraints hold the arm. With closure `exact` the splines' arm points where it is
-// told to: then both comparisons are the same, and the second follows from the first. With closure
-// `table` it does not: how far it misses the command is a property of the table, which is stated.
+// Besides all motions and the table, the arm is measured on a grid to the ends of its reach, where
+// servos and constraints hold it. With closure `exact`, the splines' arm points in the direction of
+// the command. Both comparisons are then equal, and the second follows from the first. With closure
+// `table`, the splines' arm misses the command. The size of the miss is a property of the table and
+// is only stated.
 
 #include <optional>
 
@@ -23,11 +24,11 @@ namespace {
 
 constexpr const char* kClosure = "closure";
 
-// Below this elevation the plane of the arm is ill determined: the table's own misses it by up to
-// 42 deg.
+// Below this elevation the plane of the arm is ill determined: the table's own arm misses it by up
+// to 42 deg.
 constexpr double kLowestPlaneElevation_rad = 30 * kRadiansPerDegree;
-// So near to hanging or straight up the plane has no meaning: a millionth of a radian at the elbow
-// is less than a thousandth of a millimeter.
+// Within this angle of hanging or straight up, the plane has no meaning: a millionth of a radian
+// moves the elbow by less than a thousandth of a millimeter.
 constexpr double kPlaneless_rad = 1e-6;
 
 ArmAngles ArmFromLandmarks(const ShoulderState& state) {

@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Emergent AC: what AC comes to in a loop, which drives SC and ST, against the measured AC.
+// Emergent AC: compares the AC rotation in a loop, whose servos drive SC and ST, with the measured
+// AC.
 //
 //     angle of (R_WC^T R_WS) against q_CS of the table's positions, and its Euler angles one by one
 //
-// Nothing drives AC: servos and the AC joint's constraint hold it. If the bones do what was
-// measured, it differs by as much as the published tables contradict each other.
+// No servo drives AC: the servos of SC and ST and the constraint of the AC joint determine it. If
+// the bones move as measured, it differs from the measured AC by as much as the published tables
+// contradict each other.
 
 #include <array>
 #include <cstddef>
@@ -22,11 +24,11 @@ namespace {
 
 constexpr const char* kEmergentAc = "emergent AC";
 
-// Of the published tables themselves, as of ST (scapulothoracic.cc).
+// Contradiction of the published tables, as for ST (scapulothoracic.cc).
 constexpr double kMeasuredAcRms_deg = 2.1;
 constexpr double kMeasuredAcWorst_deg = 2.6;
 
-// Of AC among the coordinates.
+// Index of AC's first coordinate.
 constexpr std::size_t kFirstAcCoordinate = 3;
 
 class EmergentAcGroup : public ResidualGroup {

@@ -17,7 +17,7 @@ std::string PlaceOf(std::string_view motion, const ArmCommand& command) {
          degrees(command.plane_rad);
 }
 
-// The text of the place is made only when it is needed.
+// The text of the place is made here, because only the worst case needs it.
 Residual Extreme::Worst(std::string group, std::string item, std::string unit,
                         std::optional<double> tolerance) const {
   const ReportPlace& place = worst_case_.place();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// What a quantity comes to over poses, for lines of the residual report.
+/// The worst case of a quantity over poses, for lines of the residual report.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ namespace girdle {
 /// Returns text for a place in the report: `abduction, elevation 31.5, plane 0`.
 [[nodiscard]] std::string PlaceOf(std::string_view motion, const ArmCommand& command);
 
-/// Where a value of the report is.
+/// The pose of a value in the report.
 struct ReportPlace {
   ReportPlace() = default;
   ReportPlace(std::string_view name, const ArmCommand& at) : motion(name), command(at) {}
@@ -27,8 +27,8 @@ struct ReportPlace {
   ArmCommand command;
 };
 
-/// Lines that are made of a worst case. Their values have no sign; a case of nothing is NaN and
-/// does not pass.
+/// Report lines that are made from a worst case. Their values are magnitudes. A worst case without
+/// any value is NaN and does not pass.
 class Extreme {
  public:
   void Add(double value, std::string_view motion, const ArmCommand& command) {

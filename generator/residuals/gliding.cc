@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Gliding: how far the scapula's medial border is from the ellipsoid that it glides on.
+// Gliding: distance of the scapula's medial border from the ellipsoid that it glides on.
 //
 //     d(TS), d(AI) = signed distance of the landmark, in the thorax, from the ellipsoid, outside +
 //
-// The ellipsoid was fitted to where the table's SC and AC take the two landmarks. Outside of the
-// measured directions the distance is stated.
+// The ellipsoid was fitted to the places of the two landmarks under the table's SC and AC. Outside
+// the measured directions the distance is only stated.
 
 #include <array>
 #include <optional>
@@ -23,12 +23,12 @@ namespace {
 
 constexpr const char* kGliding = "scapulothoracic";
 
-// Of the fit, in an adult: 4.4 mm rms, 17 at most. Other people's are as much larger as their
-// ellipsoid.
+// Tolerance in an adult, from the fit: 4.4 mm rms, 17 mm at most. Other people's tolerance scales
+// with the size of their ellipsoid.
 constexpr double kGlidingRms_mm = 5;
 constexpr double kGlidingWorst_mm = 17;
-// In a loop: the ellipsoid was fitted to where SC and AC take the scapula. Where ST does is up to
-// 2.5 deg, 6 mm at TS, away.
+// Tolerance for a loop. The ellipsoid was fitted to the scapula under SC and AC; under ST the
+// scapula is up to 2.5 deg away, which is 6 mm at TS.
 constexpr double kLoopGlidingRms_mm = 6.5;
 
 class GlidingGroup : public ResidualGroup {
@@ -36,7 +36,7 @@ class GlidingGroup : public ResidualGroup {
   explicit GlidingGroup(const MeasuredShoulder& shoulder)
       : ellipsoid_(shoulder.anatomy.gliding),
         rms_mm_(shoulder.is_loop() ? kLoopGlidingRms_mm : kGlidingRms_mm) {
-    // Of an ellipsoid that was not fitted to these bones nothing is promised.
+    // There is no tolerance for an ellipsoid that was not fitted to these bones.
     if (shoulder.anatomy.has_adult_proportions) {
       size_ = ellipsoid_.radii_m.y / BuiltInAnatomy().gliding.radii_m.y;
     }
@@ -72,7 +72,7 @@ class GlidingGroup : public ResidualGroup {
  private:
   const Ellipsoid& ellipsoid_;
   double rms_mm_;
-  std::optional<double> size_;  ///< of the ellipsoid, an adult's being 1
+  std::optional<double> size_;  ///< of the ellipsoid; 1 for an adult
   Extreme measured_mm_;
   Extreme modelled_mm_;
 };

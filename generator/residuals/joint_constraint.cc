@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Joint constraint: whether the bones meet in their joints.
+// Joint constraint: checks whether the bones meet in their joints.
 //
 //     gap = |p_parent - p_child|,  the two sites of SC, AC and GH
 //
-// SC and GH of every model and AC of a tree are gaps of rigid bodies: they are off if a model has a
-// body, a hinge or a site elsewhere. AC of a loop is an equality of the simulator, which gives way.
+// SC and GH of every model and AC of a tree are joints of rigid bodies. Their gaps show a body, a
+// hinge or a site in the wrong place. AC of a loop is an equality constraint of MuJoCo, which gives
+// way.
 
 #include <algorithm>
 #include <cmath>
@@ -24,16 +25,16 @@ namespace {
 
 constexpr const char* kJointConstraint = "joint constraint";
 
-// Of a loop's AC, at rest and while the arm moves. At rest nothing pulls the two sites apart but
-// what a servo does wrong: the emitted models leave less than 1e-6. While they move, the constraint
-// of joint_dynamics.h gives way by 0.01 at 1 Hz and the models' own step, and by up to 0.1 where
-// arms are swung otherwise. MuJoCo softens it for longer steps, to 0.2 at the longest of
+// Limits for a loop's AC, at rest and during motions. At rest only faults of a servo pull the two
+// sites apart: the emitted models leave less than 1e-6. During motions at 1 Hz with the models' own
+// time step, the constraint of joint_dynamics.h gives way by 0.01; in other swings of the arm, by
+// up to 0.1. MuJoCo softens the constraint for longer steps, to 0.2 at the longest of
 // longest_timestep.h.
 constexpr double kLoopAtRest_mm = 0.05;
 constexpr double kLoopMoving_mm = 0.1;
 constexpr double kLoopMovingInLongSteps_mm = 1;
 constexpr double kOwnStep_s = 0.002;
-// From 0.1 at 2 ms to 1 at 5 ms.
+// The limit grows from 0.1 at 2 ms to 1 at 5 ms.
 constexpr double kSoftening = 2.5;
 
 constexpr std::size_t kAc = 1;
@@ -88,7 +89,7 @@ class JointConstraintGroup : public ResidualGroup {
   }
 
  private:
-  // How a loop's AC joint holds.
+  // Gap and force of a loop's AC joint.
   struct Connect {
     void Add(const ShoulderState& state, std::string_view motion) {
       gap_mm.Add(Gap_mm(state, kAc), motion, state.command);

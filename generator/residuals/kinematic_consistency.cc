@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Kinematic consistency: MuJoCo's bones, put at the servos' targets, against the splines' pose.
+// Kinematic consistency: compares MuJoCo's bones at the servos' targets with the splines' pose.
 //
 //     joints          angle of (R_WA^T R_WB) against q_AB,  AB = TC, CS, SH of the body rotations
 //     clavicle        angle between PAC - SC and q_WT q_TC z
@@ -10,7 +10,8 @@
 //     scapula's place PAC in the thorax, where a loop's slides put it, against the clavicle's end
 //     keyframes       q_key - q(pose),  and what the servos hold there - q_key
 //
-// Landmarks are a second path: they are off, and the body rotations not, if a bone is another one.
+// Landmarks are a second path: if a bone has wrong sizes, they are off although the body rotations
+// are not.
 
 #include <array>
 #include <cmath>
@@ -102,8 +103,8 @@ class KinematicConsistencyGroup : public ResidualGroup {
                      pose.command);
   }
 
-  // A keyframe of ours that is called `relaxed` is relaxed standing, which its commands alone are
-  // not: the trims of the servos hold the rest.
+  // Measures a keyframe. Girdle's keyframe `relaxed` is relaxed standing. Its commands alone do not
+  // give that pose; the trims of the servos add the rest.
   void AddKeyframe(const ShownPose& shown) {
     const mjModel& model = shoulder_.simulation.model();
     const ShoulderElements& elements = shoulder_.simulation.elements();
@@ -140,7 +141,7 @@ class KinematicConsistencyGroup : public ResidualGroup {
     }
   }
 
-  // PAC in the thorax frame where the clavicle takes it.
+  // Returns PAC in the thorax frame, as the end of the clavicle.
   [[nodiscard]] Vector3 PlaceOfScapula_m(const ShoulderPose& pose) const {
     return LandmarkInThorax_m(shoulder_.anatomy, pose, Landmark::kPAC);
   }

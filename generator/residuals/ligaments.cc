@@ -8,7 +8,7 @@
 //     slack, stiffness, range    of the tendon in MuJoCo minus those that the anatomy has for the
 //                                rhythm (ligament_slack.h); springs and ranges begin at no length
 //
-// Lengths and forces over everything that is visited are stated.
+// Lengths and forces over all visits are only stated.
 
 #include <array>
 #include <cstddef>
@@ -28,15 +28,16 @@ namespace {
 
 constexpr const char* kLigaments = "ligaments";
 
-// What is asked of the joints never stretches a ligament; what they lag behind by while they move
-// does: 3 deg of AC, 40 mm off the attachments, would be 2 mm. A tenth of a millimetre, 5 N, is
-// what slack was rounded to.
+// The targets of the joints never stretch a ligament. The lag of the joints during motions does: 3
+// deg of AC, with attachments 40 mm away, would be 2 mm. The tolerance is the rounding of slack
+// lengths, a tenth of a millimetre, which is 5 N.
 constexpr double kStretched_mm = 0.1;
 
-// Stiffness is read from the model with 17 digits: 50 N/mm to a thousandth of a newton per meter.
+// Stiffness is read from the model with 17 digits: 50 N/mm to within a thousandth of a newton per
+// meter.
 constexpr double kExact_N_per_mm = 1e-6;
 
-// What one ligament does over poses and motions.
+// Extremes of one ligament over poses and motions.
 struct LigamentExtremes {
   WorstCase<ReportPlace, Worse::kSmaller> shortest_mm;
   Extreme longest_mm;
@@ -55,7 +56,7 @@ class LigamentsGroup : public ResidualGroup {
       Add(pose.state, pose.name);
     }
     if (pose.kind == PoseKind::kAtTargets) {
-      // A tendon's parameters are the same in all poses: the first one is enough.
+      // A tendon's parameters do not depend on the pose: the first pose is enough.
       if (slack_off_mm_.empty()) {
         AddParameters(pose.command);
       }
@@ -94,7 +95,7 @@ class LigamentsGroup : public ResidualGroup {
           kMillimetersPerMeter * model.tendon_lengthspring[2 * elements.tendons[i] + 1];
       extremes.shortest_mm.Add(length_mm, motion, state.command);
       extremes.longest_mm.Add(length_mm, motion, state.command);
-      // A length that is not a number is beyond.
+      // A length that is NaN counts as beyond slack.
       extremes.beyond_slack_mm.Add(length_mm <= slack_mm ? 0 : length_mm - slack_mm, motion,
                                    state.command);
       extremes.force_N.Add(state.ligament_force_N[i], motion, state.command);
@@ -115,7 +116,7 @@ class LigamentsGroup : public ResidualGroup {
       stiffness_off_N_per_mm_.Add(
           (model.tendon_stiffness[tendon] - ligament.stiffness_N_per_m) / kMillimetersPerMeter,
           name, command);
-      // A tendon whose range is off may become as long as it likes.
+      // A tendon without an active range has no largest length.
       const mjtNum* const range_m = model.tendon_range + 2 * tendon;
       const double end_m =
           model.tendon_limited[tendon] ? range_m[1] : std::numeric_limits<double>::infinity();

@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Range: how far from measured data the shoulder was.
+// Range: states how far the shoulder was from measured data.
 //
 //     distance = the angle from the arm's direction to the nearest measured one
 //
-// As the plugin's sensor says. It is stated: an arm may go there, but what it does there is a
-// model, not a measurement. A rhythm that clamps does not go there.
+// The plugin's sensor measures the same distance. It has no tolerance: an arm may leave the
+// measured directions, but its pose there is a model and not a measurement. A rhythm that clamps
+// does not leave them.
 
 #include "residuals/extreme.h"
 #include "residuals/residual_groups.h"

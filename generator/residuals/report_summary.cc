@@ -18,12 +18,12 @@ namespace {
 // All residuals of one kind.
 struct Kind {
   std::string group;
-  const Residual* shown;    // the nearest to its tolerance; the first if none has one
+  const Residual* shown;    // the nearest to its tolerance; the first if none has a tolerance
   std::size_t checked = 0;  // how many have a tolerance
   std::size_t failed = 0;
 };
 
-// How much of its tolerance a residual takes: 1 at the tolerance, more beyond it.
+// Returns the share of its tolerance that a residual takes: 1 at the tolerance, more beyond it.
 double ShareOfTolerance(const Residual& residual) {
   if (!residual.tolerance) {
     return -1;
@@ -53,7 +53,7 @@ std::vector<Kind> KindsOf(const std::vector<Residual>& residuals) {
   return kinds;
 }
 
-// "flexion 120.4/90" for "flexion, elevation 120.4, plane 90".
+// Returns "flexion 120.4/90" for "flexion, elevation 120.4, plane 90".
 std::string ShortPlace(const std::string& where) {
   const std::string elevation = "elevation ";
   const std::string plane = ", plane ";

@@ -11,7 +11,7 @@
 
 namespace girdle {
 
-/// Returns the report in a few lines: what it is about, the verdict, a table with one row a kind of
+/// Returns the report in a few lines: the model, the verdict, a table with one row for each kind of
 /// residual, every failure in full, and the verdict again.
 ///
 /// A row shows the residual that comes nearest to its tolerance or exceeds it most: its value, its

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// One group of lines of the residual report: what it is shown, and what it makes of that.
+/// One group of lines of the residual report: the states it is shown, and the lines it adds.
 ///
-/// `visits.h` takes a shoulder through motions and poses and shows every step and every pose to all
-/// groups. A group takes what concerns it, keeps the worst, and adds its lines in the end. States
-/// are those of a right shoulder: a left one is shown as its mirror image.
+/// `visits.h` takes a shoulder through motions and poses, and shows every step and every pose to
+/// all groups. A group measures its residuals, keeps the worst of each, and adds its lines at the
+/// end. States are those of a right shoulder: a left one is shown as its mirror image.
 #pragma once
 
 #include <string_view>
@@ -18,11 +18,11 @@
 
 namespace girdle {
 
-/// What is measured, and what it is held against. All of it outlives the groups.
+/// The shoulder that is measured and its references. All members outlive the groups.
 struct MeasuredShoulder {
   const ShoulderSimulation& simulation;  ///< watches the shoulder
-  const AssembledRhythm& rhythm;         ///< what the bones should do
-  const Anatomy& anatomy;                ///< what the bones should be
+  const AssembledRhythm& rhythm;         ///< the rotations that the bones should have
+  const Anatomy& anatomy;                ///< the sizes that the bones should have
 
   [[nodiscard]] bool is_loop() const noexcept { return rhythm.assembly() == Assembly::kLoop; }
   [[nodiscard]] bool has_thorax_contact() const noexcept {
@@ -30,49 +30,49 @@ struct MeasuredShoulder {
   }
 };
 
-/// Where a step is in its motion.
+/// Phase of a motion that a step belongs to.
 enum class StepPhase {
-  kMoving,    ///< under way, with a rest at both ends
-  kSettling,  ///< the command rests, the joints still come to rest
+  kMoving,    ///< under way, between two rests
+  kSettling,  ///< the command rests, the joints still approach rest
   kSettled,   ///< the command has rested for long
-  kCycling,   ///< up and down or to and fro once a second, without a rest
+  kCycling,   ///< up and down, or to and fro, once a second without a rest
 };
 
 /// One step of the simulation.
 struct SteppedState {
   std::string_view motion;  ///< for the report
   StepPhase phase;
-  int number;  ///< of the step, from 0 in each motion
+  int number;  ///< number of the step, from 0 in each motion
   const ShoulderState& state;
 };
 
-/// How a shoulder comes to be where it is shown.
+/// The means by which a shoulder was brought to the pose that is shown.
 enum class PoseKind {
   /// Exactly at the servos' targets, without a step: along the motions and at the table's
   /// positions.
   kAtTargets,
-  /// At a position of a loop's table, where servos and constraints hold it; on thorax contact,
-  /// which pushes the joints off, at the targets.
+  /// At a position of a loop's table, held by servos and constraints. In models with thorax
+  /// contact, which pushes the joints off their targets, the pose at the targets.
   kTableHeld,
-  /// At a position of the table, at rest on the thorax. Only of models with thorax contact.
+  /// At a position of the table, at rest on the thorax. Only for models with thorax contact.
   kTableOnThorax,
-  /// At a pose of the grid over all that the arm reaches, where servos and constraints hold it.
+  /// At a pose of the grid over all that the arm reaches, held by servos and constraints.
   kGridHeld,
-  /// There too, where the joints are asked to be: held, or on thorax contact at the targets.
+  /// At a pose of the same grid: held, or for models with thorax contact at the targets.
   kGridAsked,
   /// At a keyframe of the model.
   kKeyframe,
 };
 
-/// One pose.
+/// One pose of the shoulder.
 struct ShownPose {
   std::string_view name;  ///< for the report: the motion, "table", "grid", the keyframe
   PoseKind kind;
   const ArmCommand& command;
   const ShoulderState& state;
-  const ShoulderPose& wanted;      ///< what the rhythm says for the command
-  const RhythmPosition* position;  ///< the table's, at its positions; otherwise null
-  int key = -1;                    ///< number of the keyframe
+  const ShoulderPose& wanted;      ///< pose of the rhythm for the command
+  const RhythmPosition* position;  ///< position of the table, if the pose is at one; otherwise null
+  int key = -1;                    ///< number of the keyframe; -1 if the pose is at none
 };
 
 class ResidualGroup {
@@ -82,11 +82,11 @@ class ResidualGroup {
   ResidualGroup& operator=(const ResidualGroup&) = delete;
   virtual ~ResidualGroup() = default;
 
-  /// Takes a step of the simulation.
+  /// Measures a step of the simulation.
   virtual void TakeStep(const SteppedState& step) { static_cast<void>(step); }
-  /// Takes a pose.
+  /// Measures a pose.
   virtual void TakePose(const ShownPose& pose) { static_cast<void>(pose); }
-  /// Adds the lines, after all visits.
+  /// Adds the group's lines to the report. Called once, after all visits.
   virtual void AddLines(std::vector<Residual>& lines) = 0;
 };
 

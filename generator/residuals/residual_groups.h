@@ -15,35 +15,35 @@ namespace girdle {
 
 using ResidualGroupPointer = std::unique_ptr<ResidualGroup>;
 
-/// Whether the bones meet in their joints.
+/// Checks whether the bones meet in their joints.
 [[nodiscard]] ResidualGroupPointer MakeJointConstraintGroup(const MeasuredShoulder& shoulder);
-/// Whether the bones are those of the anatomy.
+/// Checks whether the bones are those of the anatomy.
 [[nodiscard]] ResidualGroupPointer MakeBonesGroup(const MeasuredShoulder& shoulder);
-/// Whether the bones are turned as the splines say.
+/// Checks whether the bones are rotated as the splines give.
 [[nodiscard]] ResidualGroupPointer MakeKinematicConsistencyGroup(const MeasuredShoulder& shoulder);
-/// Whether the joints follow their targets.
+/// Checks whether the joints follow their targets.
 [[nodiscard]] ResidualGroupPointer MakeTrackingGroup(const MeasuredShoulder& shoulder);
-/// Whether the arm points where it is told to.
+/// Checks whether the arm points in the direction of the command.
 [[nodiscard]] ResidualGroupPointer MakeClosureGroup(const MeasuredShoulder& shoulder);
-/// How far from measured data the arm was.
+/// States how far the arm was from measured data.
 [[nodiscard]] ResidualGroupPointer MakeRangeGroup(const MeasuredShoulder& shoulder);
-/// Whether the scapula is turned in the thorax as published.
+/// Checks whether the scapula is rotated in the thorax as published.
 [[nodiscard]] ResidualGroupPointer MakeScapulothoracicGroup(const MeasuredShoulder& shoulder);
-/// What AC comes to in a loop, which drives SC and ST. Of a loop alone.
+/// Checks the AC rotation that results in a loop, where servos drive SC and ST. For loops only.
 [[nodiscard]] ResidualGroupPointer MakeEmergentAcGroup();
-/// Whether the scapula's medial border glides on the thorax.
+/// Checks whether the scapula's medial border glides on the thorax.
 [[nodiscard]] ResidualGroupPointer MakeGlidingGroup(const MeasuredShoulder& shoulder);
-/// Whether the thorax pushes as it should. Of models with thorax contact alone.
+/// Checks the contact forces of the thorax. For models with thorax contact only.
 [[nodiscard]] ResidualGroupPointer MakeThoraxContactGroup(const MeasuredShoulder& shoulder);
-/// Whether the ligaments are as long as between the anatomy's bones, and slack.
+/// Checks whether the ligaments are slack and as long as between the anatomy's bones.
 [[nodiscard]] ResidualGroupPointer MakeLigamentsGroup(const MeasuredShoulder& shoulder);
-/// The skin, as `girdle` has the girdle move. Of a model with a skin alone; moves the simulation
-/// when it adds its lines. Throws InputError as SkinMeter.
+/// Checks the skin, on a girdle that moves as `girdle` says. For models with a skin only. It moves
+/// the simulation when it adds its lines. Throws InputError as SkinMeter.
 [[nodiscard]] ResidualGroupPointer MakeSkinGroup(ShoulderSimulation& simulation,
                                                  const MeasuredShoulder& shoulder,
                                                  GirdleMotion girdle);
 
-/// Returns all groups that a shoulder has, in the order of the report.
+/// Returns all groups that apply to a shoulder, in the order of the report.
 [[nodiscard]] std::vector<ResidualGroupPointer> MakeResidualGroups(ShoulderSimulation& simulation,
                                                                    const MeasuredShoulder& shoulder,
                                                                    GirdleMotion girdle);

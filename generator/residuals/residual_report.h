@@ -13,12 +13,12 @@ namespace girdle {
 
 /// How a report is written.
 enum class ReportForm {
-  kSummary,  ///< one line a kind of residual, and every failure in full
+  kSummary,  ///< one line for each kind of residual, and every failure in full
   kFull,     ///< every residual
   kJson,     ///< every residual, for programs
 };
 
-/// Form of a report, and what the terminal allows where it is text.
+/// Form of a report, and the width and colours of text.
 struct ReportChoice {
   ReportForm form = ReportForm::kSummary;
   TextStyle style;
@@ -30,14 +30,16 @@ struct ReportChoice {
 /// and the pose of the worst case stands on a line of its own.
 [[nodiscard]] std::string ReportAsText(const ResidualReport& report, const TextStyle& style);
 
-/// Returns the report as JSON: `model`, `kind`, `rhythm`, `mujoco`, `passed`,
-/// `remark` and the array
-/// `residuals` of `group`, `item`, `value`, `unit`, `tolerance` (null where the value is only
-/// stated), `bound` (a word of kBoundNames: what the value has to be to it), `follows` (whether it
-/// cannot be off unless another line is), `passed`, `where`. A value that is not finite is null.
+/// Returns the report as JSON: `model`, `kind`, `rhythm`, `mujoco`, `passed`, `remark`, and the
+/// array `residuals`.
+///
+/// Each residual has `group`, `item`, `value`, `unit`, `tolerance` (null if the value is only
+/// stated), `bound` (a word of kBoundNames: how the value must compare with the tolerance),
+/// `follows` (whether the value can only be off if another line is), `passed`, and `where`. A value
+/// that is not finite is null.
 [[nodiscard]] std::string ReportAsJson(const ResidualReport& report);
 
-/// Returns the report in a form; the summary is that of report_summary.h.
+/// Returns the report in the chosen form. The summary is that of report_summary.h.
 [[nodiscard]] std::string ReportIn(const ReportChoice& choice, const ResidualReport& report);
 
 }  // namespace girdle

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// How far a simulated shoulder is from what was asked: the residual report.
+/// The residual report: differences between a simulated shoulder and the chosen rhythm and anatomy.
 ///
-/// What MuJoCo computes (body rotations, site positions) is held against what the inverse
-/// kinematics says (rotations from the splines). The two meet nowhere else: MuJoCo gets joint
-/// angles, the other side never sees one.
+/// The report compares rotations and positions that MuJoCo computes with rotations that the inverse
+/// kinematics takes from the splines. The two sides are independent: MuJoCo is given joint angles,
+/// and the inverse kinematics never uses one.
 #pragma once
 
 #include "anatomy/anatomy.h"
@@ -17,10 +17,10 @@
 
 namespace girdle {
 
-/// Visits with every shoulder of the model what residuals/visits.h says, and returns the report:
-/// the lines of each group of residuals/residual_groups.h, shoulder by shoulder. A skin is measured
-/// as the girdle says; all else is always that of the model. Throws InputError where MuJoCo warns,
-/// or if the girdle is frozen and there is no skin.
+/// Takes every shoulder of the model through the visits of residuals/visits.h and returns the
+/// report: the lines of each group of residuals/residual_groups.h, shoulder by shoulder. A skin is
+/// measured on a girdle that moves as `girdle` says; all other residuals are of the model's own
+/// girdle. Throws InputError if MuJoCo warns, or if the girdle is frozen and the model has no skin.
 [[nodiscard]] ResidualReport MeasureResiduals(ShoulderSimulation& simulation,
                                               const AssembledRhythm& rhythm, const Anatomy& anatomy,
                                               const ProgressSink& progress,

@@ -1,14 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Scapulothoracic: the simulated scapula in the thorax against the published one.
+// Scapulothoracic: compares the simulated scapula in the thorax with the published one.
 //
 //     angle of (R_WT^T R_WS) against q_TS of the table's positions
 //
-// A tree drives SC and AC. What they make of ST differs from the published ST, because the two
-// tables contradict each other: that is checked. A loop drives ST itself. Its splines pass through
-// the published ST, and whether the simulated scapula follows the splines is checked at these same
-// positions by kinematic consistency, more finely: there the lines follow, and are stated.
+// A tree drives SC and AC. The resulting ST differs from the published ST, because the two tables
+// contradict each other; this difference is checked. A loop drives ST itself, and its splines pass
+// through the published ST. Kinematic consistency checks more finely, at the same positions,
+// whether the scapula follows the splines. For loops these lines therefore follow from others and
+// are only stated.
 
 #include <glm/gtc/quaternion.hpp>
 #include <optional>
@@ -21,7 +22,7 @@ namespace {
 
 constexpr const char* kScapulothoracic = "scapulothoracic";
 
-// Of the published tables themselves: 2.03 deg rms over rows 30 to 120, 1.7 to 2.5 each.
+// Contradiction of the published tables: 2.03 deg rms over rows 30 to 120, 1.7 to 2.5 in each row.
 constexpr double kPublishedStRms_deg = 2.1;
 constexpr double kPublishedStWorst_deg = 2.6;
 
@@ -62,7 +63,7 @@ class ScapulothoracicGroup : public ResidualGroup {
 
  private:
   bool is_loop_;
-  bool is_published_;  ///< whether the table says where ST was
+  bool is_published_;  ///< whether the table has published values of ST
   Extreme published_deg_;
 };
 

@@ -24,14 +24,14 @@
 namespace girdle {
 namespace {
 
-// SC and AC were measured from here up.
+// Lowest elevation at which SC and AC were measured.
 constexpr double kLowestMeasured_deg = 30;
-// What Newton's method leaves of couplings (mapped_arm.cc).
+// Residual of couplings after Newton's method (mapped_arm.cc).
 constexpr double kCouplingTolerance = 1e-9;
-// Landmarks of one bone keep their distances; PAC may be on the clavicle, which a soft joint lets
-// go by a tenth of a millimeter.
+// Landmarks of one bone keep their distances. PAC may be on the clavicle, and a soft AC joint opens
+// by a tenth of a millimeter.
 constexpr double kRigid_mm = 1;
-// Directions that are the same but for what a servo at rest leaves.
+// Directions count as equal within the error of a servo at rest.
 constexpr double kSameDirection_rad = 0.01 * kRadiansPerDegree;
 
 std::size_t Index(GirdleFigure figure) { return static_cast<std::size_t>(figure); }
@@ -44,7 +44,7 @@ double AngleBetweenAxes_deg(const Vector3& a, const Vector3& b) {
   return DegreesFromRadians(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
 }
 
-// Axis of a clavicle: z of Y(protraction) X(elevation).
+// Returns the long axis of a clavicle: z of Y(protraction) X(elevation).
 Vector3 ClavicleAxisOf(double protraction_deg, double elevation_deg) {
   return QuaternionFromEuler(EulerSequence::kYXZ, {RadiansFromDegrees(protraction_deg),
                                                    RadiansFromDegrees(elevation_deg), 0}) *
@@ -82,7 +82,7 @@ GirdleFigures MeasuredFigures(const ShoulderPose& measured) {
   return ModelFigures(pose);
 }
 
-// Differences of the angles, and the angles between axes and orientations.
+// Returns differences of the angles, and the angles between axes and between orientations.
 GirdleFigures Differences(const GirdleFigures& model_deg, const Quaternion& q_TS,
                           const GirdleFigures& measured_deg, const Quaternion& measured_q_TS) {
   GirdleFigures difference_deg;
@@ -104,8 +104,9 @@ GirdleFigures Differences(const GirdleFigures& model_deg, const Quaternion& q_TS
   return difference_deg;
 }
 
-// Differences of the change since `start`: the model's turn of the scapula since then, put on the
-// measured scapula, q = (q_TS q_TS0^-1) m_TS0, and the change of the clavicle's angles.
+// Returns differences of the change since `start`. The model's rotation of the scapula since then
+// is applied to the measured scapula, q = (q_TS q_TS0^-1) m_TS0. For the clavicle, the change of
+// its angles is compared.
 GirdleFigures ChangeDifferences(const SurveyedPosition& start, const SurveyedPosition& position) {
   const Quaternion q_TS =
       position.pose.q_TS * glm::conjugate(start.pose.q_TS) * start.measured_q_TS;
@@ -121,8 +122,8 @@ GirdleFigures ChangeDifferences(const SurveyedPosition& start, const SurveyedPos
   return Differences(model_deg, q_TS, position.measured_deg, position.measured_q_TS);
 }
 
-// Whether the measured rhythm answers for another direction than the arm's, by more than what a
-// servo at rest leaves.
+// Whether the direction of the measured rhythm's answer differs from the arm's by more than the
+// error of a servo at rest.
 bool IsFar(const ArmCommand& used, const ArmAngles& reached) {
   return std::abs(used.elevation_rad - reached.elevation_rad) > kSameDirection_rad ||
          std::abs(std::remainder(used.plane_rad - reached.plane_rad, 2 * kPi)) > kSameDirection_rad;
@@ -137,7 +138,7 @@ std::string PlaceText(const ArmCommand& asked) {
          RoundedText(DegreesFromRadians(asked.plane_rad), 1);
 }
 
-// Over positions, at what was asked for.
+// Worst case over positions, with the commanded direction.
 using Spread = WorstCase<ArmCommand>;
 
 void AppendTo(std::vector<Residual>& lines, const Spread& spread, const std::string& group,
@@ -173,7 +174,7 @@ class Surveyor {
     SurveyedPosition position;
     position.asked_elevation_rad = RadiansFromDegrees(elevation_deg);
     position.asked_plane_rad = RadiansFromDegrees(plane_deg);
-    // The turn about the long axis is the measured one.
+    // The rotation about the humerus's long axis is the measured one.
     const ArmAngles own = ArmAnglesFromRotation(
         rhythm_.SolvePose({position.asked_elevation_rad, position.asked_plane_rad}).q_TH());
     const ArmMove move =
@@ -214,7 +215,7 @@ class Surveyor {
     return position;
   }
 
-  // What the model itself must keep.
+  // Adds the checks of the model itself: speed at rest, couplings, and distances within a bone.
   void AppendChecks(std::vector<Residual>& lines) const {
     if (arm_.moves_by_actuators()) {
       lines.push_back({"model", "speed at rest", speed_.value(), "rad/s", kRestSpeed_rad_per_s,
@@ -252,7 +253,7 @@ class Surveyor {
   Spread rigid_;
 };
 
-// The lowest elevation of the grid that was measured.
+// Returns the lowest elevation of the grid that is in the measured range.
 double LowestElevation_deg(const SurveyGrid& grid) {
   double lowest_deg = grid.elevations_deg.back();
   for (const double elevation_deg : grid.elevations_deg) {
@@ -280,7 +281,7 @@ void PutChanges(double lowest_deg, std::vector<SurveyedPosition>& positions) {
   }
 }
 
-// Plane by plane.
+// Visits all positions, plane by plane.
 std::vector<SurveyedPosition> VisitAll(Surveyor& surveyor, const SurveyGrid& grid,
                                        const ProgressSink& progress) {
   std::vector<SurveyedPosition> positions;
@@ -294,7 +295,8 @@ std::vector<SurveyedPosition> VisitAll(Surveyor& surveyor, const SurveyGrid& gri
   return positions;
 }
 
-// How many positions the arm misses, and why the first. Throws InputError if it misses all.
+// Returns the number of positions that the arm misses, with the reason for the first. Throws
+// InputError if it misses all.
 Residual PositionsNotReached(const std::vector<SurveyedPosition>& positions) {
   const auto is_missed = [](const SurveyedPosition& position) {
     return !position.not_reached.empty();
@@ -314,12 +316,12 @@ Residual PositionsNotReached(const std::vector<SurveyedPosition>& positions) {
   return {"arm", "positions not reached", static_cast<double>(count), "-", std::nullopt, where};
 }
 
-// What the positions reached come to.
+// Extremes of all figures over the positions reached.
 struct SurveySpreads {
   GroupSpreads in_table;
   GroupSpreads changes;  ///< since the lowest position of each plane
-  GroupSpreads beyond;   ///< the table
-  Spread elevation_deg;  ///< reached - asked, in the table
+  GroupSpreads beyond;   ///< beyond the table
+  Spread elevation_deg;  ///< reached - commanded, in the table
   Spread plane_deg;
 };
 
@@ -357,14 +359,14 @@ SurveySpreads SpreadsOf(const std::vector<SurveyedPosition>& positions) {
 
 std::string Whole(double value) { return RoundedText(value, 0); }
 
-// "turns upward by 28 degrees" from one position to another.
+// Returns the upward rotation from one position to another, "turns upward by 28 degrees".
 double UpwardTurn_deg(const GirdleFigures& from_deg, const GirdleFigures& to_deg) {
   const std::size_t i = Index(GirdleFigure::kUpwardRotation);
   return *from_deg[i] - *to_deg[i];
 }
 
-// What the figures allow to say: how far the scapula turns upward in the plane nearest to the
-// frontal one, what it makes of the plane, and how far it is from the measured one throughout.
+// Returns the conclusion: how far the scapula rotates upward in the plane nearest to the frontal
+// one, how far it rotates from plane to plane, and its largest difference from the measured one.
 std::string SentenceOf(const std::vector<SurveyedPosition>& positions, double lowest_deg,
                        const Spread& scapula, const Spread& upward) {
   std::map<double, std::vector<const SurveyedPosition*>> by_plane;
@@ -389,7 +391,7 @@ std::string SentenceOf(const std::vector<SurveyedPosition>& positions, double lo
       degrees(high.asked_elevation_rad) + " degrees in plane " + degrees(frontal.first) +
       ", its scapula turns upward by " + Whole(UpwardTurn_deg(low.model_deg, high.model_deg)) +
       " degrees, the measured one by " + Whole(UpwardTurn_deg(low.measured_deg, high.measured_deg));
-  // Two planes at the highest elevation that both have.
+  // The sentence compares two planes at the highest elevation that both have.
   const auto& last = *by_plane.rbegin();
   for (auto there = last.second.rbegin();
        last.first != frontal.first && there != last.second.rend(); ++there) {

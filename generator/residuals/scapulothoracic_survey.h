@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// How far the girdle of any model is from the measured rhythm.
+/// Differences between the shoulder girdle of any model and the measured rhythm.
 ///
-/// The arm is moved over a grid of directions. At each, clavicle and scapula are held against the
-/// measured ones for the direction that the simulated humerus has reached, whatever was asked of
-/// it. Differences are model minus measured, with the signs of the measured angles: upward rotation
-/// and a raised clavicle are negative.
+/// The arm is moved over a grid of directions. At each, clavicle and scapula are compared with the
+/// measured ones for the direction that the simulated humerus has reached, which may differ from
+/// the commanded one. Differences are model minus measured, with the signs of the measured angles:
+/// upward rotation and elevation of the clavicle are negative.
 ///
-/// Absolute angles depend on which points of the bones were taken for landmarks. The change since
-/// elevation 30 does not, but for the thorax's frame: the turn of the model's scapula since the
-/// lowest position of its plane is put on the measured scapula there.
+/// Absolute angles depend on the choice of bony points as landmarks. The change since elevation 30
+/// does not depend on them, except through the thorax frame: the rotation of the model's scapula
+/// since the lowest position of its plane is applied to the measured scapula at that position.
 #pragma once
 
 #include <array>
@@ -30,14 +30,14 @@
 
 namespace girdle {
 
-/// What is compared, in degrees. Those that are angles between two directions or rotations are
-/// never negative.
+/// Figures that are compared [deg]. Angles between two directions or two rotations are never
+/// negative.
 enum class GirdleFigure {
   kClavicleAxis,  ///< angle between the long axes
   kProtraction,
   kClavicleElevation,
-  kClavicleRotation,  ///< only of a clavicle that is mapped by its body
-  kScapula,           ///< angle of the rotation between the two
+  kClavicleRotation,  ///< only if the mapping gives the clavicle's body
+  kScapula,           ///< angle of the rotation between the two scapulae
   kInternalRotation,
   kUpwardRotation,
   kTilt,
@@ -49,32 +49,32 @@ inline constexpr std::array<std::string_view, kGirdleFigureCount> kGirdleFigureN
     "scapula upward rotation", "scapula tilt",
 };
 constexpr const auto& WordsOf(GirdleFigure /*which*/) noexcept { return kGirdleFigureNames; }
-/// In the order of GirdleFigure; nothing where the mapping does not tell.
+/// Values in the order of GirdleFigure; nothing if the mapping does not give the bone.
 using GirdleFigures = std::array<std::optional<double>, kGirdleFigureCount>;
 
-/// Farther from the table's directions than this [rad] an arm is beyond the table. Arms that are
-/// asked for an edge of it miss it by some degrees.
+/// An arm is beyond the table if its direction is farther than this [rad] from the table's
+/// directions. Arms that are commanded to the table's edge miss it by some degrees.
 inline constexpr double kNearTable_rad = 5 * kRadiansPerDegree;
 
 /// One position of the grid.
 struct SurveyedPosition {
   double asked_elevation_rad = 0;
   double asked_plane_rad = 0;
-  std::string not_reached;  ///< why; empty where the rest is said
+  std::string not_reached;  ///< the reason; empty if the position was reached
   ArmAngles reached{};
-  bool is_in_table = false;   ///< no farther than kNearTable_rad from it
-  GirdleFigures model_deg{};  ///< angles themselves; nothing for axis and orientation
+  bool is_in_table = false;   ///< whether `reached` is within kNearTable_rad of the table
+  GirdleFigures model_deg{};  ///< the angles; nothing for axis and orientation
   GirdleFigures measured_deg{};
   GirdleFigures difference_deg{};
-  /// The same of the change since the lowest position in the table of this plane.
+  /// Differences of the change since the lowest position of this plane in the table.
   GirdleFigures change_difference_deg{};
-  /// Of kGlidingLandmarks from the ellipsoid, outside +.
+  /// Distances of kGlidingLandmarks from the ellipsoid, positive outside.
   std::array<std::optional<double>, kGlidingLandmarks.size()> border_mm{};
   MappedPose pose;
   Quaternion measured_q_TS{1, 0, 0, 0};
 };
 
-/// What of the grid is asked for [deg].
+/// The directions of the grid [deg].
 struct SurveyGrid {
   std::vector<double> elevations_deg;
   std::vector<double> planes_deg;
@@ -83,18 +83,18 @@ struct SurveyGrid {
 struct ScapulothoracicSurvey {
   std::vector<SurveyedPosition> positions;  ///< plane by plane
   ResidualReport report;
-  std::string sentence;  ///< what the figures allow to say
+  std::string sentence;  ///< the conclusion that the figures support
 };
 
-/// Surveys a model. `ellipsoid` is what TS and AI should glide on. Throws InputError if the bones
-/// cannot be those of a shoulder, or no position at all is reached.
+/// Surveys a model. TS and AI should glide on `ellipsoid`. Throws InputError if the bones cannot be
+/// those of a shoulder, or if no position is reached.
 [[nodiscard]] ScapulothoracicSurvey SurveyGirdle(MappedArm& arm, const MappedShoulder& shoulder,
                                                  const ShoulderRhythm& rhythm,
                                                  const Ellipsoid& ellipsoid, const SurveyGrid& grid,
                                                  const ProgressSink& progress);
 
-/// Returns the survey in a form: the report and its sentence as text, and as JSON also every
-/// position. The summary has a table of how far the bones are from the measured ones.
+/// Returns the survey in a form. Text has the report and its sentence; JSON also has every
+/// position. The summary has a table of the differences between the bones and the measured ones.
 [[nodiscard]] std::string SurveyIn(const ReportChoice& choice, const ScapulothoracicSurvey& survey);
 
 }  // namespace girdle

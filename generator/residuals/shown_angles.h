@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// What several groups read from a state, and the tolerance of what is exact.
+/// Quantities that several groups compute from a state, and the tolerance of exact values.
 #pragma once
 
 #include <cmath>
@@ -28,13 +28,13 @@ inline constexpr double kExact_mm = 1e-6;
          (point_W_m - state.landmark_m(Landmark::kIJ));
 }
 
-/// q_WB of scapula or humerus rebuilt from landmarks of that bone alone (BoneRotation).
+/// q_WB of scapula or humerus, rebuilt from landmarks of that bone only (BoneRotation).
 [[nodiscard]] inline Quaternion FromLandmarks(const ShoulderState& state, Segment segment) {
   LandmarkPositions p_W_m{};
   for (const Landmark landmark : {Landmark::kTS, Landmark::kAI, Landmark::kEM, Landmark::kEL}) {
     p_W_m[static_cast<std::size_t>(landmark)] = state.landmark_m(landmark);
   }
-  // In a joint, the point on the child bone.
+  // At a joint, the point on the child bone is used.
   p_W_m[static_cast<std::size_t>(Landmark::kPAC)] = state.child_site_m(1);
   p_W_m[static_cast<std::size_t>(Landmark::kGH)] = state.child_site_m(2);
   return BoneRotation(segment, p_W_m);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Skin: shows a SkinMeter (skin_residuals.h) what is visited.
+// Skin: passes the visits on to a SkinMeter (skin_residuals.h).
 
 #include <iterator>
 
@@ -11,8 +11,8 @@
 namespace girdle {
 namespace {
 
-// Of a skin that is under way, every so many steps: what MuJoCo makes of it depends on the pose
-// alone. At a motion's first step nothing has moved.
+// Number of steps between two measurements during a motion. Fewer measurements are enough, because
+// MuJoCo's skin depends on the pose alone. At a motion's first step nothing has moved yet.
 constexpr int kSkinSteps = 50;
 
 class SkinGroup : public ResidualGroup {

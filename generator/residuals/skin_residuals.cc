@@ -28,36 +28,40 @@ namespace {
 constexpr const char* kGroup = "skin";
 constexpr double kPercent = 100;
 
-// MuJoCo blends skin in single precision, a metre and a half above the floor.
+// MuJoCo blends the skin in single precision, at 1.5 m above the floor.
 constexpr double kSinglePrecision_mm = 1e-3;
-// In an adult. The AC joint rises 15.7 to 17.7, the acromion's tip, further out, 23 to 25, and with
-// an arm that turns in GH alone the skin 1 at most.
+// Least rise of the acromion's skin in an adult. The AC joint rises by 15.7 to 17.7. The acromion's
+// tip, further out, rises by 23 to 25. With an arm that turns in GH alone, the skin rises by 1 at
+// most.
 constexpr double kAcromionRise_mm = 8;
-// Of an arm that turns in GH alone it is 14 and more.
+// Largest share of skin that is squeezed below half of its area. With an arm that turns in GH alone
+// it is 14 or more.
 constexpr double kBelowHalf_percent = 5;
-// Skin about the joint, in an adult.
+// Radius of the skin around the joint, in an adult.
 constexpr double kAroundAc_m = 0.06;
-// Skin and what lies between it and the bone, of people of any size.
+// Skin and the tissue between it and the bone, for people of any size.
 constexpr double kDepth_mm = 3;
 
-// Jumps of the AC skin's velocity. Differences of our own blend are of fourth order, a step of
-// 0.02 deg: they leave 5e-11 of smooth, and 2e-10 of squad over elevations (3e-9 at twice the
-// step). Of second order they would leave 3e-5 of squad, whose third derivative jumps.
+// Limit of jumps of the AC skin's velocity. Difference quotients of Girdle's own blend are of
+// fourth order with a step of 0.02 deg. They leave 5e-11 for smooth, and 2e-10 for squad over
+// elevations (3e-9 at twice the step). Second order would leave 3e-5 for squad, whose third
+// derivative jumps.
 constexpr double kBlendedJump_mm_per_deg = 1e-6;
-// MuJoCo's vertices are rounded to single precision. Their differences take a step that leaves a
-// tenth of what passes, 1.1 deg at a man's shoulder: 0.001 was measured. Of third order they leave
-// 0.0003 of smooth and 0.0006 to 0.001 of squad besides (0.0001 at half the step), of second order
-// 0.07 of squad.
+// Limit of jumps of MuJoCo's vertices, which are rounded to single precision. The step of their
+// difference quotients, 1.1 deg at a man's shoulder, is so long that the rounding leaves a tenth of
+// this limit; 0.001 was measured. In addition, third order leaves 0.0003 for smooth and 0.0006 to
+// 0.001 for squad (0.0001 at half the step); second order would leave 0.07 for squad.
 constexpr double kDrawnJump_mm_per_deg = 0.01;
 constexpr double kNoiseShare = 0.1;
-// Of an adult. As published, squad has a corner at knots that are not evenly spaced: (8) and (9)
-// stretch every space to one length, and (5) takes it for that. Over plane 40 that is 0.13.
+// Limit in an adult. Squad as published has a corner at knots with uneven spaces: (8) and (9) scale
+// every space to one length, and (5) assumes that length. Over plane 40 the jump is 0.13.
 constexpr double kUnevenSquadJump_mm_per_deg = 0.2;
 
 constexpr ArmCommand kLow = {30 * kRadiansPerDegree, 0};
 constexpr double kHigh_rad = 120 * kRadiansPerDegree;
-// Frontal, scapular, sagittal. The frontal one, where people dropped out last, is the one checked
-// for squeezed skin: the others fold it in front of the joint, which no bone prevents.
+// Frontal, scapular, and sagittal plane. Squeezed skin is checked in the frontal plane only, where
+// people dropped out last. The other planes fold the skin in front of the joint, which no bone
+// prevents.
 constexpr std::array<double, 3> kPlanes_rad = {0, 40 * kRadiansPerDegree, 90 * kRadiansPerDegree};
 constexpr double kGrid_rad = 15 * kRadiansPerDegree;
 
@@ -69,7 +73,7 @@ std::string PlaneText(double plane_rad) {
   return ", plane " + RoundedText(DegreesFromRadians(plane_rad), 0);
 }
 
-// What is wrong with a skin said with the model's name.
+// Rethrows a fault of the skin with the model's name.
 template <typename Make>
 auto MadeFor(const std::string& model_name, const Make& make) {
   try {
@@ -82,7 +86,7 @@ auto MadeFor(const std::string& model_name, const Make& make) {
 }
 
 double LargestDistance_m(const std::vector<Vector3>& a, const std::vector<Vector3>& b) {
-  // Of skins that are not of one kind nothing is known.
+  // Skins with different numbers of vertices cannot be compared.
   if (a.size() != b.size()) {
     return std::numeric_limits<double>::quiet_NaN();
   }
@@ -93,7 +97,7 @@ double LargestDistance_m(const std::vector<Vector3>& a, const std::vector<Vector
   return largest_m;
 }
 
-// Adds the largest values of the AC skin, or of the other landmarks.
+// Adds the largest values of the AC skin, or those of the other landmarks.
 void AddTo(Extreme& extreme, const LandmarkLargest& largest, bool is_ac_skin, double factor) {
   for (std::size_t k = 0; k < kSkinLandmarkCount; ++k) {
     if (IsAcSkin(k) == is_ac_skin) {
@@ -103,13 +107,13 @@ void AddTo(Extreme& extreme, const LandmarkLargest& largest, bool is_ac_skin, do
   }
 }
 
-// Two neighbouring spaces of knots that are not alike.
+// Two neighbouring spaces between knots that differ in length.
 struct UnevenKnots {
   double before_rad;
   double behind_rad;
 };
 
-// Knots that are read from a file in degrees are even up to rounding.
+// Returns the first uneven spaces. Spaces count as even within the rounding of degrees in a file.
 std::optional<UnevenKnots> FirstUneven(const std::vector<double>& knots_rad) {
   constexpr double kRounding_rad = 1e-9;
   for (std::size_t i = 1; i + 1 < knots_rad.size(); ++i) {
@@ -198,7 +202,7 @@ SkinLandmarkPlaces SkinMeter::DrawnIn_m(const ShoulderPose& pose) {
   return places;
 }
 
-// The whole way: joint angles in, MuJoCo's vertices out, against the pose that was meant.
+// Compares the whole path from joint angles to MuJoCo's vertices with the pose of the command.
 void SkinMeter::ComparePose(const ArmCommand& command) {
   const ShoulderPose pose = PoseFor(command);
   const std::vector<Vector3> vertices_m = DrawnVerticesIn_m(pose);
@@ -240,7 +244,7 @@ void SkinMeter::AddRises(std::vector<Residual>& lines) const {
     const ArmCommand to{kHigh_rad, plane_rad};
     const ShoulderPose low = PoseFor(from);
     const ShoulderPose high = PoseFor(to);
-    // Of an arm that does not go so far nothing is known.
+    // If the arm does not reach these elevations, the value has no tolerance.
     const bool is_reached =
         !rhythm_.rhythm().Solve(from).clamped && !rhythm_.rhythm().Solve(to).clamped;
     const std::string where = "elevation 30 to 120" + PlaneText(plane_rad);
@@ -301,7 +305,7 @@ void SkinMeter::AddSteps(std::vector<Residual>& lines) const {
 }
 
 SkinMeter::DrawnDifference SkinMeter::DifferenceOfDrawn(Direction direction) {
-  // Where the AC skin is when the arm is low: it moves by centimeters from there.
+  // Distance of the AC skin from the world's origin with a low arm. It moves by centimeters only.
   static_cast<void>(DrawnVerticesIn_m(PoseFor(kLow)));
   const std::vector<Vector3> vertices_m = skin_.VerticesInWorld_m(simulation_.data());
   double distance_m = 0;
@@ -313,10 +317,10 @@ SkinMeter::DrawnDifference SkinMeter::DifferenceOfDrawn(Direction direction) {
       }
     }
   }
-  // Half of the last place of a number of that size.
+  // Half of the last place of a single-precision number of this size.
   const double rounding_m = distance_m * std::numeric_limits<float>::epsilon() / 2;
-  // By how much [mm/deg] a jump is wrong at most, times the step [rad]: its values are those of
-  // both sides, and the one between with the sum of all weights.
+  // Largest error of a jump [mm/deg] times the step [rad]. The jump uses values on both sides of
+  // the knot, and the value at the knot with the sum of all weights.
   double sum = 0;
   double magnitudes = 0;
   for (const double weight : kOneSidedFirstOfCoarse) {
@@ -342,7 +346,7 @@ void SkinMeter::AddJumps(std::vector<Residual>& lines, Direction direction) {
     AddTo(jump, jumps, tolerance.has_value(), MmPerDegree(1));
     lines.push_back(jump.Worst(kGroup, "jump of " + skin + over + vertices, "mm/deg", tolerance));
     if (KnotsAlong(table, direction).size() < 3) {
-      // Holds by construction: nothing was crossed.
+      // The value is zero by construction, because there is no inner knot to cross.
       lines.back().tolerance = std::nullopt;
       lines.back().where = "the table has no inner knots";
     }
@@ -396,7 +400,7 @@ void SkinMeter::AddDepths(std::vector<Residual>& lines) const {
          EvenSteps(domain.first_plane_rad, domain.last_plane_rad, kGrid_rad)) {
       const ShoulderSolution solution = rhythm_.rhythm().Solve({elevation_rad, plane_rad});
       if (solution.used.elevation_rad != elevation_rad || solution.used.plane_rad != plane_rad) {
-        continue;  // beyond what an arm reaches: another place of the grid answers for it
+        continue;  // beyond the arm's reach; the grid has the position used instead
       }
       const auto least_mm = shallowest(PoseFor(solution.used));
       posed_mm.Add(least_mm.value(), least_mm.place(), solution.used);

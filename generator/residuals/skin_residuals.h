@@ -19,45 +19,46 @@
 
 namespace girdle {
 
-/// Measures the skin over the shoulder that is watched. What it refers to must outlive it.
+/// Measures the skin of the shoulder that the simulation watches. All that it refers to must
+/// outlive it.
 ///
-/// MuJoCo's vertices are held against the project's own linear blend; the rest is measured on that
-/// blend, in double precision, with the bones where the anatomy and a pose have them: of the rhythm
-/// or, with the girdle frozen, of an arm that turns in GH alone on SC and AC as the skin was bound.
+/// MuJoCo's vertices are compared with the project's own linear blend. All else is measured on that
+/// blend in double precision, with the bones of the anatomy in poses of the rhythm. If the girdle
+/// is frozen, only GH turns, and SC and AC stay as they were when the skin was bound.
 class SkinMeter {
  public:
-  /// Throws InputError if the skin lacks a bone or a landmark of the shoulder, or hangs on
-  /// something else too.
+  /// Throws InputError if the skin lacks a bone or a landmark of the shoulder, or is bound to any
+  /// other body.
   SkinMeter(ShoulderSimulation& simulation, const AssembledRhythm& rhythm, const Anatomy& anatomy,
             GirdleMotion girdle);
 
-  /// Holds MuJoCo's vertices against the blend where the simulation has got to in a motion;
-  /// `motion` and `command` tell in the report where that is.
+  /// Compares MuJoCo's vertices with the blend in the present state of a motion. `motion` and
+  /// `command` name that state in the report.
   void CompareMoving(std::string_view motion, const ArmCommand& command);
 
-  /// Measures all the rest, for which it moves the simulation, and returns the lines.
+  /// Measures all other residuals and returns the lines. Moves the simulation.
   [[nodiscard]] std::vector<Residual> Measure();
 
  private:
-  /// The girdle as it is measured here, for an arm that goes where `pose` has it.
+  /// The pose with the girdle as it is measured here, for an arm in the direction of `pose`.
   [[nodiscard]] ShoulderPose OnGirdle(const ShoulderPose& pose) const;
   [[nodiscard]] ShoulderPose PoseFor(const ArmCommand& command) const;
 
   /// Puts the bones into a pose and returns MuJoCo's vertices there, in the thorax frame [m].
   [[nodiscard]] std::vector<Vector3> DrawnVerticesIn_m(const ShoulderPose& pose);
-  /// The landmarks of those vertices, each the mean of its own.
+  /// Returns the landmarks of those vertices, each the mean of its own vertices.
   [[nodiscard]] SkinLandmarkPlaces DrawnIn_m(const ShoulderPose& pose);
 
-  /// How far MuJoCo's vertices are from the blend where the simulation stands; the largest.
+  /// Returns the largest distance of MuJoCo's vertices from the blend in the present state.
   [[nodiscard]] double OffBlend_mm() const;
   void ComparePose(const ArmCommand& command);
-  /// How MuJoCo's vertices are differentiated across knots, and what passes then.
+  /// Step and tolerance of the difference quotients of MuJoCo's vertices across knots.
   struct DrawnDifference {
     double step_rad;
     double tolerance_mm_per_deg;
   };
-  /// The noise of single precision, where the AC skin is, is a tenth of the tolerance. Where knots
-  /// are too close for the step that this needs, the tolerance is larger.
+  /// The tolerance is ten times the noise of single precision at the AC skin. If knots are too
+  /// close for the step that this needs, the tolerance is larger.
   [[nodiscard]] DrawnDifference DifferenceOfDrawn(Direction direction);
 
   void AddRises(std::vector<Residual>& lines) const;
@@ -75,9 +76,9 @@ class SkinMeter {
   SkinLandmarkVertices vertices_;
   LandmarkSkin landmarks_;
   ShoulderPose bind_;
-  double size_;         ///< of the clavicle, an adult's being 1
-  Extreme at_rest_mm_;  ///< off the blend, in poses without dynamics
-  Extreme moving_mm_;   ///< off the blend, while it simulates
+  double size_;         ///< of the clavicle; 1 for an adult
+  Extreme at_rest_mm_;  ///< distance from the blend, in poses without dynamics
+  Extreme moving_mm_;   ///< distance from the blend, during motions
   Extreme posed_mm_;
 };
 

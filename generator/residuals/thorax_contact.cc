@@ -1,17 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Thorax contact: how the thorax pushes TS and AI at rest, at every position of the table.
+// Thorax contact: forces of the thorax on TS and AI at rest, at every position of the table.
 //
-//     stiffness  (force / depth - k) / k,  k = k_0 w_0 / w,  the deepest contact, where it is deep
-//                enough to tell; where none is, it is NaN and does not pass
+//     stiffness  (force / depth - k) / k,  k = k_0 w_0 / w,  of the deepest contact, if it is deep
+//                enough to measure; if no contact is, the value is NaN and does not pass
 //     armature   of the joints / that of joint_dynamics.h - 1
 //     depth      of MuJoCo's contact - that of TS or AI in the anatomy's ellipsoid
 //     pushed     torque of the contact / stiffness of the joint's servo
 //
-// k_0 is 20 N/mm, and w_0 the inverse weight of the built-in scapula (joint_dynamics.h). w is the
-// inverse weight that MuJoCo computes of the model's masses, which the bones' lines check, and of
-// the joints' armature. Force, depth and what they push the joints off their targets by are stated.
+// k_0 is 20 N/mm, and w_0 is the inverse weight of the built-in scapula (joint_dynamics.h). w is
+// the inverse weight that MuJoCo computes from the model's masses, which the lines on bones check,
+// and from the armature of the joints. Force, depth, and the displacement of the joints from their
+// targets are only stated.
 
 #include <algorithm>
 #include <cstddef>
@@ -33,15 +34,16 @@ namespace {
 
 constexpr const char* kThoraxContact = "thorax contact";
 
-// MuJoCo looks for the nearest point of an ellipsoid until it knows it to 0.001 mm.
+// MuJoCo iterates to the nearest point of an ellipsoid until its error is 0.001 mm.
 constexpr double kContactSurface_mm = 0.01;
-// By what share the contact's stiffness may be off where the pose changes what the scapula weighs
-// at TS and AI. In people from 0.9 to 2.1 m, and from 20 to 150 kg, it was off by up to 10 %.
+// The contact's stiffness may be off by this share, because the inverse weight of the scapula at TS
+// and AI changes with the pose. In people of 0.9 to 2.1 m and 20 to 150 kg it was off by up to 10
+// %.
 constexpr double kContactStiffness_percent = 20;
-// A number that MuJoCo reads from text.
+// Rounding of a number that MuJoCo reads from text.
 constexpr double kArmature_percent = 1e-6;
 constexpr double kContactPercent = 100;
-// Below this depth force over depth says little. At this depth what MuJoCo does not know of it is a
+// Below this depth, force over depth is inaccurate. At this depth, MuJoCo's error of the depth is a
 // thousandth.
 constexpr double kDeepContact_m = 0.001;
 
@@ -62,13 +64,13 @@ class ThoraxContactGroup : public ResidualGroup {
     const double depth_mm = kMillimetersPerMeter * depth_m;
     add(force_N_, state.contact_force_N);
     add(depth_mm_, depth_mm);
-    // A depth that is not a number counts as deep.
+    // A depth that is NaN counts as deep.
     if (!(depth_m <= kDeepContact_m)) {
       add(stiffness_off_percent_,
           kContactPercent * (state.contact_force_N / depth_m / stiffness_N_per_m_ - 1));
     }
     add(surface_off_mm_, depth_mm - DepthInEllipsoid_mm(state));
-    // A model's armature is the same in all poses: the first one is enough.
+    // A model's armature does not depend on the pose: the first pose is enough.
     if (armature_off_percent_.empty()) {
       AddArmature(pose.command);
     }
@@ -103,8 +105,8 @@ class ThoraxContactGroup : public ResidualGroup {
   void AddArmature(const ArmCommand& command) {
     const mjModel& model = shoulder_.simulation.model();
     const auto& bodies = shoulder_.simulation.elements().bodies;
-    // The hinges of SC stand in the clavicle, and so on; joints of the thorax are not the
-    // shoulder's.
+    // The hinges of SC belong to the body of the clavicle, and so on. Joints of the thorax do not
+    // belong to the shoulder.
     const auto first = std::next(bodies.begin());
     for (int dof = 0; dof < model.nv; ++dof) {
       const auto body = std::find(first, bodies.end(), model.dof_bodyid[dof]);
@@ -120,25 +122,25 @@ class ThoraxContactGroup : public ResidualGroup {
     }
   }
 
-  // Not in proportion to mass: the armature of the servos counts too, the more the shorter the
-  // bones.
+  // Returns the stiffness k. It is not in proportion to mass, because the armature of the servos
+  // counts too: the shorter the bones, the more.
   [[nodiscard]] static double NewtonsPerMeterOf(const MeasuredShoulder& shoulder) {
     const int scapula =
         shoulder.simulation.elements().bodies[static_cast<std::size_t>(Segment::kScapula)];
-    // MuJoCo holds an inverse weight for forces and one for torques.
+    // MuJoCo has two inverse weights for a body: the first for forces, the second for torques.
     const double inverse_weight_per_kg = shoulder.simulation.model().body_invweight0[2 * scapula];
     return kThoraxContactStiffness_N_per_m *
            (shoulder.is_loop() ? kLoopInverseWeight_per_kg : kTreeInverseWeight_per_kg) /
            inverse_weight_per_kg;
   }
 
-  // Of the deeper of TS and AI; 0 where both are outside.
+  // Returns the depth of the deeper of TS and AI; 0 if both are outside.
   [[nodiscard]] double DepthInEllipsoid_mm(const ShoulderState& state) const {
     double deepest_m = 0;
     for (const Landmark landmark : kGlidingLandmarks) {
       const double depth_m = -DistanceFromEllipsoid(shoulder_.anatomy.gliding,
                                                     InThorax_m(state, state.landmark_m(landmark)));
-      // A depth that is not a number counts as one.
+      // A depth that is NaN becomes the result.
       deepest_m = depth_m <= deepest_m ? deepest_m : depth_m;
     }
     return kMillimetersPerMeter * deepest_m;

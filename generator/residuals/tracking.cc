@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Tracking: simulated joints against what their servos aim at.
+// Tracking: compares the simulated joints with the targets of their servos.
 //
 //     error = target - (q - pushed),  pushed = torque of the thorax / stiffness of the servo
 //
-// How far the thorax pushes a joint is told by itself (thorax_contact.cc).
+// The displacement by the thorax has its own group (thorax_contact.cc).
 
 #include <cstddef>
 #include <string>
@@ -20,18 +20,20 @@ namespace {
 constexpr const char* kTrackingSettled = "tracking settled";
 constexpr const char* kTrackingMoving = "tracking moving";
 
-// A servo that holds still must be as good as its own rounding; a hundredth of a degree is far
-// below what bone pins resolve, and what a shoulder without damping still swings by.
+// A servo at rest could be as exact as rounding. A hundredth of a degree is far below what bone
+// pins resolve, and below the swing that remains in a shoulder without damping.
 constexpr double kSettledTracking_deg = 0.01;
-// On the thorax: MuJoCo 3 finds the normal of an ellipsoid's contact by iterations that do not end
-// the same from step to step, so that its direction trembles and the joints by 0.015 deg with it.
+// On the thorax: MuJoCo 3 finds the normal of a contact with an ellipsoid by iterations that end
+// differently from step to step. The direction therefore trembles, and the joints tremble by 0.015
+// deg.
 constexpr double kSettledOnThorax_deg = 0.03;
-// Lag of 20 ms (joint_dynamics.h) at the fastest joint speed of the standard motions, about 80
-// deg/s, and some room.
+// The lag of 20 ms (joint_dynamics.h) at the fastest joint speed of the standard motions, about 80
+// deg/s, and a margin.
 constexpr double kMovingTracking_deg = 3;
-// A joint that still trembles at rest is held by servos or constraints that fight: 6e-5 deg/s.
+// A joint that trembles faster than this at rest, 6e-5 deg/s, has servos or constraints that
+// conflict.
 constexpr double kSpeedAtRest_rad_per_s = 1e-6;
-// The same at the end of a clavicle, a tenth of a meter away.
+// The equal speed at the end of a clavicle, a tenth of a meter from the joint.
 constexpr double kSpeedAtRest_m_per_s = 1e-7;
 
 class TrackingGroup : public ResidualGroup {

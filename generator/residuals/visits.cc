@@ -18,22 +18,22 @@ namespace {
 // Duration of a standard motion and of the rest after it.
 constexpr double kMoving_s = 3;
 constexpr double kSettling_s = 4;
-// Share of the rest at its end that counts as settled.
+// The last share of the rest, which counts as settled.
 constexpr double kSettledShare = 0.25;
-// Parts of a motion without dynamics: 3 deg apart at most, where it is fastest.
+// Parts of a motion without dynamics. They are at most 3 deg apart, where the motion is fastest.
 constexpr int kPosesOfMotion = 128;
-// Where the standard motions end: people raise their arms to 150 +- 9 deg (Henninger, 20 people).
+// End of the standard motions: people raise their arms to 150 +- 9 deg (Henninger, 20 people).
 constexpr double kRaised_rad = 150 * kRadiansPerDegree;
-// Of the grid over all that the arm reaches.
+// Step of the grid over all that the arm reaches.
 constexpr double kGridStep_rad = 10 * kRadiansPerDegree;
-// Steps for which servos and constraints hold a pose.
+// Steps during which servos and constraints hold a pose.
 constexpr int kHoldingSteps = 5;
-// For which the thorax pushes: 15 time constants of the servos.
+// Time for the thorax to push the joints: 15 time constants of the servos.
 constexpr double kPushing_s = 0.3;
-// Of a cycle of 1 Hz: the second one starts from where the first has left the joints.
+// Duration of the cycles of 1 Hz. The second cycle starts from the state after the first.
 constexpr double kCycles_s = 2;
 
-// The motions that every model is run through.
+// Returns the motions that every model is taken through.
 std::vector<Motion> StandardMotions(const ShoulderRhythm& rhythm) {
   const ArmRectangle& domain = rhythm.domain();
   const double lowest_rad = domain.lowest_elevation_rad;
@@ -48,7 +48,7 @@ std::vector<Motion> StandardMotions(const ShoulderRhythm& rhythm) {
                          {level_rad, domain.last_plane_rad}, kMoving_s)};
 }
 
-// Over the table's elevations and planes and back, once a second.
+// Returns cycles over the table's elevations and planes, there and back once a second.
 std::vector<Motion> Cycles(const RhythmTable& table) {
   const auto between = [](double from, double to, double time_s) {
     return from + (to - from) * (1 - std::cos(2 * kPi * time_s)) / 2;
@@ -71,9 +71,9 @@ std::vector<Motion> Cycles(const RhythmTable& table) {
   return cycles;
 }
 
-// Values from one to another, the last step as long as is left.
+// Returns values from one bound to the other. The last step may be shorter.
 std::vector<double> GridValues(double from_rad, double to_rad) {
-  constexpr double kRounding = 1e-9;  // makes no further step
+  constexpr double kRounding = 1e-9;  // rounding must not add a step
   const double steps = std::ceil((to_rad - from_rad) / kGridStep_rad - kRounding);
   std::vector<double> values_rad;
   for (int i = 0; i <= static_cast<int>(steps); ++i) {
@@ -157,8 +157,8 @@ class Visitor {
     const ShoulderElements& elements = simulation_.elements();
     for (int key = 0; key < model.nkey; ++key) {
       const char* const name = model.names + model.name_keyadr[key];
-      // A keyframe that has a name of ours has to be what the name says, another one what its
-      // commands say.
+      // A keyframe with one of Girdle's names must be the pose of that name. Another keyframe must
+      // be the pose of its commands.
       const auto* named = std::find_if(kKeyframes.begin(), kKeyframes.end(),
                                        [name](const NamedPose& pose) { return pose.name == name; });
       const bool is_ours = named != kKeyframes.end();
@@ -171,7 +171,7 @@ class Visitor {
                    controls[elements.command_controls[2]]};
         command.axial_from = OwnAxialFrom(simulation_.loaded());
       } else if (!is_ours) {
-        continue;  // position servos do not say what was meant
+        continue;  // targets of position servos do not tell the command
       }
       simulation_.PutAtKeyframe(key);
       Show(name, PoseKind::kKeyframe, command, OnRight(simulation_.Observe(command)), nullptr, key);
@@ -205,7 +205,7 @@ class Visitor {
     return OnRight(simulation_.ObserveAtTargets(command));
   }
 
-  // At a command's targets, or where the thorax has pushed the joints from there.
+  // Starts at a command's targets, or where the thorax has pushed the joints from there.
   void StartAtRest(const ArmCommand& command) {
     simulation_.Start(command);
     const auto steps = static_cast<int>(std::lround(kPushing_s / simulation_.timestep_s()));

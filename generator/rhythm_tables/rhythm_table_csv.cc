@@ -23,8 +23,8 @@ constexpr std::array<std::string_view, 3> kScapulothoracicColumns = {
 
 std::string ColumnOf(std::string_view coordinate) { return std::string(coordinate) + "_deg"; }
 
-// Shortest decimals of an angle in degrees that read back as exactly the same radians; degrees that
-// came from a text keep that text.
+// Returns the shortest decimals of an angle in degrees that read back as exactly the same radians.
+// Degrees that were read from a text give that text.
 std::string ExactDegreesText(double angle_rad) {
   const auto is_exact = [angle_rad](const std::string& text) {
     return RadiansFromDegrees(*FiniteNumber(text)) == angle_rad;
@@ -37,7 +37,7 @@ std::string ExactDegreesText(double angle_rad) {
       return text;
     }
   }
-  // The way to degrees may round to the neighbour of the number that was read.
+  // The conversion to degrees may round to a neighbour of the number that was read.
   for (const double towards : {-kFullCircle_deg, kFullCircle_deg}) {
     std::string text = NumberText(std::nextafter(angle_deg, towards));
     if (is_exact(text)) {
@@ -47,7 +47,7 @@ std::string ExactDegreesText(double angle_rad) {
   return NumberText(angle_deg);
 }
 
-// Collects rows into a grid and says where the grid breaks.
+// Collects rows into a grid. Its messages name the row where the grid is broken.
 class GridBuilder {
  public:
   void Add(const CsvReader& csv, double plane_deg, double elevation_deg, RhythmPosition position) {
@@ -127,7 +127,7 @@ struct ScapulothoracicColumns {
   std::array<std::size_t, 3> index;
 };
 
-// The three columns are there together or not at all.
+// Returns the three columns, or nothing if none of them exists. Throws if only some exist.
 std::optional<ScapulothoracicColumns> FindScapulothoracic(const CsvReader& csv) {
   const auto present =
       std::count_if(kScapulothoracicColumns.begin(), kScapulothoracicColumns.end(),
@@ -140,7 +140,8 @@ std::optional<ScapulothoracicColumns> FindScapulothoracic(const CsvReader& csv) 
                                  csv.Column(kScapulothoracicColumns[2])}};
 }
 
-// Header and rows, with `separator` between them; `angle_text` writes the angles of a position.
+// Returns header and rows, with `separator` between them. `angle_text` writes the angles of a
+// position.
 template <typename AngleText>
 std::string TableText(const RhythmTable& table, char separator, const AngleText& angle_text) {
   const bool has_scapulothoracic = table.position(0, 0).scapulothoracic_rad.has_value();

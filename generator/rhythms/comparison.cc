@@ -10,14 +10,15 @@
 namespace girdle {
 namespace {
 
-// The planes that were measured, and elevations that people know.
+// The measured planes, and common elevations.
 constexpr std::array<double, 3> kRatioPlanes_deg = {0, 40, 90};
 constexpr std::array<double, 5> kRatioElevations_deg = {60, 90, 120, 150, 180};
 
-// So near to hanging or straight up an arm has no plane. Of a radian: rounding of typed degrees.
+// An arm this near to hanging or straight up has no plane. The value is above the rounding of typed
+// degrees.
 constexpr double kWithoutPlane_rad = 1e-9;
 
-// Below this a scapula stands still: far above rounding, far below what can be measured.
+// Below this rate a scapula counts as still: far above rounding, far below any measurement.
 constexpr double kStill_rad = 1e-9;
 
 std::optional<double> PlaneOf(const ArmCommand& place) {
@@ -70,7 +71,7 @@ RhythmComparison CompareOne(const PublishedRhythm& rhythm,
   return {rhythm, in_table.Summaries(), on_map.Summaries()};
 }
 
-// Upward rotation of the measured rhythm [rad], nothing where it is clamped.
+// Returns the upward rotation of the measured rhythm [rad]; nothing if the rhythm clamps.
 std::optional<double> MeasuredUpwardRotation(const ShoulderRhythm& measured, double elevation_rad,
                                              double plane_rad) {
   const ShoulderSolution solution = measured.Solve({elevation_rad, plane_rad, 0});

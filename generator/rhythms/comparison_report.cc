@@ -16,12 +16,12 @@ namespace {
 using Row = std::vector<std::string>;
 
 constexpr std::string_view kNothing = "-";
-// Of a degree: far below what can be measured, far above rounding.
+// Decimals of a degree: far below any measurement, far above rounding.
 constexpr int kMapDecimals = 6;
 constexpr std::string_view kRatioDefinition =
     "(change of humeral elevation - change of upward rotation) / change of upward rotation";
 
-// What people call the differences, in the order of ComparedAngle.
+// Common names of the differences, in the order of ComparedAngle.
 constexpr std::array<std::string_view, kDifferenceCount> kDifferenceLabels = {
     "SC",
     "AC",
@@ -32,12 +32,12 @@ constexpr std::array<std::string_view, kDifferenceCount> kDifferenceLabels = {
     "scapula upward rotation",
     "scapula tilt"};
 
-// Two columns of words, then numbers.
+// Returns the alignments of two columns of words and further columns of numbers.
 std::vector<Alignment> WordsFirst() {
   return {Alignment::kLeft, Alignment::kLeft, Alignment::kRight};
 }
 
-// Places of a grid, in degrees as they were typed.
+// Returns a place of a grid in degrees as typed.
 std::string PlaceText(double angle_rad) {
   constexpr int kDecimals = 9;
   return RoundedText(DegreesFromRadians(angle_rad), kDecimals);
@@ -49,7 +49,7 @@ std::string RangeText(double from_rad, double to_rad) {
   return PlaceText(from_rad) + " to " + PlaceText(to_rad);
 }
 
-// With `decimals` places, all of them, so that points stand below each other.
+// Returns a number with exactly `decimals` places, so that the points of a column align.
 std::string FixedText(double value, int decimals) {
   std::string text = RoundedText(value, decimals);
   std::size_t point = text.find('.');

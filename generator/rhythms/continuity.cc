@@ -23,17 +23,17 @@ constexpr double kGrid_rad = kRadiansPerDegree;
 
 BoneRotations JointsOf(const ShoulderPose& pose) { return {pose.q_TC, pose.q_CS, pose.q_SH}; }
 
-// Clavicle, scapula, humerus in the thorax.
+// Returns the rotations of clavicle, scapula and humerus in the thorax.
 BoneRotations BonesOf(const ShoulderPose& pose) { return {pose.q_TC, pose.q_TS(), pose.q_TH()}; }
 
-// First and second derivative of the rotation vector log(q(x) q(0)^-1) at 0, which are the angular
-// velocity and what it changes by.
+// First and second derivative of the rotation vector log(q(x) q(0)^-1) at 0: the angular velocity
+// and its derivative.
 struct Motion {
   Vector3 first;
   Vector3 second;
 };
 
-// From the points 0, h .. 4h on one side (h may be negative).
+// Computes the derivatives from the points 0, h .. 4h on one side (h may be negative).
 std::array<Motion, kJointCount> OneSided(const std::function<BoneRotations(double)>& at, double h) {
   const BoneRotations origin = at(0);
   std::array<Motion, kJointCount> motions;
@@ -49,7 +49,7 @@ std::array<Motion, kJointCount> OneSided(const std::function<BoneRotations(doubl
   return motions;
 }
 
-// The jump of each joint at a place, crossing it along a direction.
+// Returns the jump of each joint where a path along a direction crosses a place.
 std::array<JumpSummary, kJointCount> JumpsAt(const PoseFunction& pose, Direction direction,
                                              const ArmCommand& place) {
   const auto at = [&](double step_rad) {
@@ -73,7 +73,7 @@ std::string PlaceText(const ArmCommand& place) {
 
 using Largest = WorstCase<ArmCommand>;
 
-// A check of something that was looked at nowhere passes: a rhythm need not have such places.
+// Returns a check. A check without any place passes, because a rhythm need not have such places.
 RhythmCheck CheckOf(const Largest& largest, std::string name, double limit, std::string unit) {
   if (largest.empty()) {
     return {std::move(name), -std::numeric_limits<double>::infinity(), limit, std::move(unit),
@@ -163,16 +163,17 @@ class Checker {
     }
   }
 
-  // Where the rule begins, and where it changes its form: half way to 180, and half way to there.
+  // Measures jumps at the borders of the rule and where its form changes: half way from the table's
+  // top to 180, and half way to there.
   void AddBorderJumps() {
     constexpr double kFirst = 1e-6;
-    // Differences need room before the ends and the reach's limit.
+    // Difference quotients need room before the ends and the limit of the reach.
     constexpr double kRoom_rad = 1 * kRadiansPerDegree;
     const RhythmTable& table = rhythm_.table();
     const double top_rad = table.elevations_rad().back();
     const double half_rad = (kPi - top_rad) / 2;
     JumpMeter over_elevations(pose_);
-    // At 90 the humerus's turn changes its form beside the table.
+    // At 90 the turn of the humerus changes its form beyond the table.
     for (const double line_rad : {table.elevations_rad().front(), kPi / 2, top_rad,
                                   top_rad + half_rad / 2, top_rad + half_rad}) {
       if (line_rad > kRoom_rad && line_rad < kPi - kRoom_rad) {
@@ -187,7 +188,7 @@ class Checker {
     JumpMeter over_planes(pose_);
     for (const double line_rad : {table.planes_rad().front(), table.planes_rad().back()}) {
       for (const double elevation_rad : EvenSteps(kRoom_rad, kPi - kRoom_rad)) {
-        // The table's own edge may be the limit.
+        // The table's edge may itself be the limit.
         if (line_rad - kRoom_rad > rhythm_.LowestPlaneAt(elevation_rad) &&
             line_rad + kRoom_rad < rhythm_.domain().last_plane_rad) {
           over_planes.CrossAt(Direction::kPlane, {elevation_rad, line_rad});
@@ -199,8 +200,8 @@ class Checker {
                               "deg/deg"));
   }
 
-  // Straight up every plane is the same direction, but the rhythm's own humerus turns with it.
-  // Counted from the swing's zero an axial turn is one humerus.
+  // Straight up, every plane is the same direction, but the rhythm's own humerus rotates with the
+  // plane. An axial turn counted from the swing's zero is the same humerus in every plane.
   void AddSpins() {
     constexpr double kStated = std::numeric_limits<double>::infinity();
     constexpr double kSame_deg = 1e-9;
@@ -224,7 +225,8 @@ class Checker {
         CheckOf(swung, "the same with axial from swing, plane to plane", kSame_deg, "deg"));
   }
 
-  // Hanging and straight up the plane has no meaning: bones are where they are for plane 0.
+  // At hanging and straight up the plane has no meaning: the bones must be where they are for plane
+  // 0.
   void AddSingleValues() {
     constexpr double kSame_deg = 1e-9;
     Largest hanging;
@@ -266,8 +268,9 @@ class Checker {
     if (rhythm_.options().interpolation == Interpolation::kSmooth) {
       constexpr double kFastest = 3;
       constexpr double kFastestLow = 4.5;
-      // A humerus turns with its plane, at elevation 15 by the sine of that, and hanging not at
-      // all: 0.26 of the 35 deg from there to -95 go in 15 deg, midway 1.5 times as fast.
+      // A humerus rotates with its plane: at elevation 15 by the sine of the elevation, and hanging
+      // not at all. The planes from -60 to -95 are 35 deg. A share of 0.26 of them is passed in 15
+      // deg, and midway 1.5 times as fast.
       constexpr double kFastestBehind = kFastestLow + 1.5 * 0.26 * 35 / 15;
       checks_.push_back(
           CheckOf(fastest_, "fastest bone per degree of elevation", kFastest, "deg/deg"));
@@ -289,7 +292,7 @@ class Checker {
     const ArmAngles reached = ArmAnglesFromRotation(pose.q_TH());
     elevation_error_.Add(DegreesFromRadians(std::abs(reached.elevation_rad - elevation_rad)),
                          elevation_rad, plane_rad);
-    // Nearer to the ends than this the plane has no meaning.
+    // Nearer to the ends than this, the plane has no meaning.
     if (elevation_rad > kGrid_rad / 2 && elevation_rad < kPi - kGrid_rad / 2) {
       plane_error_.Add(
           DegreesFromRadians(std::abs(std::remainder(reached.plane_rad - plane_rad, 2 * kPi))),
@@ -306,7 +309,8 @@ class Checker {
     }
   }
 
-  // By differences that stay on this side of the ends. Behind the body a rising arm meets one.
+  // Measures speeds by difference quotients on the inner side of the ends. Behind the body, a
+  // rising arm reaches an end.
   void AddSpeeds(double elevation_rad, double plane_rad) {
     const ArmRectangle& domain = rhythm_.domain();
     const double above_rad = elevation_rad + kGrid_rad / 2;

@@ -21,7 +21,7 @@ const GirdleAngles& AnglesOf(const RhythmCoefficients& coefficients, std::string
   return found->second;
 }
 
-// What the rhythm does not say is taken from the relaxed posture.
+// Returns all angles: those of the rhythm, and the others from the relaxed posture.
 CompleteAngles OverRelaxed(const RhythmCoefficients& coefficients, const GirdleAngles& angles) {
   const GirdleAngles& relaxed = AnglesOf(coefficients, "relaxed");
   CompleteAngles complete;
@@ -44,7 +44,7 @@ SaidAngles Said(const GirdleAngles& angles) {
   return said;
 }
 
-// Clavicle and scapula of six numbers, one an angle.
+// Returns clavicle and scapula from six numbers, one for each angle.
 template <typename AngleOf>
 GirdlePose PoseOf(const CompleteAngles& angles, const AngleOf& angle_of) {
   const auto rotation = [&](std::size_t first) {
@@ -55,7 +55,7 @@ GirdlePose PoseOf(const CompleteAngles& angles, const AngleOf& angle_of) {
   return {rotation(0), rotation(3)};
 }
 
-// A rhythm whose formulas are the Y-X'-Z'' angles themselves.
+// Returns a rhythm whose formulas give the Y-X'-Z'' angles themselves.
 PublishedRhythm RhythmOfAngles(const RhythmCoefficients& coefficients, std::string_view rows) {
   const GirdleAngles& angles = AnglesOf(coefficients, rows);
   PublishedRhythm rhythm;
@@ -68,7 +68,7 @@ PublishedRhythm RhythmOfAngles(const RhythmCoefficients& coefficients, std::stri
   return rhythm;
 }
 
-// A rhythm whose hinges turn about the axes of the resting bone B, first y, then x, then z:
+// Returns a rhythm whose hinges turn about the axes of the resting bone B, first y, then x, then z:
 // q_TB = q_TB(rest) q(change).
 PublishedRhythm RhythmOfTurns(const RhythmCoefficients& coefficients, std::string_view rows) {
   const GirdleAngles& angles = AnglesOf(coefficients, rows);

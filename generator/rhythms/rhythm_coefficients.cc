@@ -14,7 +14,7 @@
 namespace girdle {
 namespace {
 
-// No bone of the girdle turns faster than the arm that takes it along.
+// No bone of the girdle rotates faster than the arm that moves it.
 constexpr double kLargestFactor = 1;
 
 }  // namespace

@@ -31,11 +31,12 @@ void Read(std::ifstream& in, T& value) {
   in.read(reinterpret_cast<char*>(&value), sizeof(value));  // NOLINT(*-reinterpret-cast)
 }
 
-// Reads how many there are of everything in an MJB. Throws InputError if the file is none of this
-// MuJoCo or not whole. MuJoCo makes room for what these sizes say before it looks how much follows.
+// Reads the numbers of elements of an MJB. Throws InputError if the file is of another MuJoCo or is
+// not complete. This check is needed because MuJoCo allocates memory for these sizes before it
+// checks how much of the file follows.
 mjModel ReadSizes(const std::string& path, std::ifstream& in) {
-  // An MJB begins with this number. Then come the size of mjtNum, how many sizes there are, the
-  // version of MuJoCo, how many arrays there are, and the sizes.
+  // An MJB begins with this number. Then come the size of mjtNum, the number of sizes, the version
+  // of MuJoCo, the number of arrays, and the sizes.
   constexpr std::int32_t kFirst = 54321;
   std::array<std::int32_t, 5> header{};
   Read(in, header);
@@ -58,8 +59,8 @@ mjModel ReadSizes(const std::string& path, std::ifstream& in) {
   return sizes;
 }
 
-// Reads the array of mjModel with this name. Nothing stands between the arrays; what a model
-// without any has stands before them.
+// Reads the array of mjModel with this name. There is no gap between the arrays. They begin at the
+// size of a model without any array.
 std::string ReadArray(std::ifstream& in, const mjModel& sizes, std::string_view wanted) {
   const mjModel none{};
   auto begin = static_cast<std::size_t>(mj_sizeModel(&none));
@@ -122,7 +123,7 @@ void ExpectSurvived(const std::string& path) {
             }
           }
         } catch (const InputError&) {
-          return;  // said by the caller, who loads it next
+          return;  // the caller loads the file next and reports the error
         }
       },
       kLimit_s);

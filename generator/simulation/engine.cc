@@ -26,7 +26,7 @@ namespace {
 std::mutex warnings_mutex;          // NOLINT(readability-identifier-naming)
 std::vector<std::string> warnings;  // NOLINT(readability-identifier-naming)
 
-// What the plugin said last of a compiled model.
+// The plugin's last message about faults of a compiled model.
 std::string model_fault;  // NOLINT(readability-identifier-naming)
 
 void OnWarning(const char* message) {
@@ -38,8 +38,8 @@ void OnWarning(const char* message) {
   warnings.emplace_back(message);
 }
 
-// It is not the model's fault if MuJoCo gets no memory. What a model's own arena lacks has another
-// message, and is.
+// If MuJoCo gets no memory, the model is not at fault. If the model's own arena is too small,
+// MuJoCo's message is another one, and the model is at fault.
 void ThrowIfOutOfMemory(std::string_view message) {
   if (message.find("Could not allocate memory") != std::string_view::npos) {
     throw std::bad_alloc();
@@ -60,8 +60,8 @@ std::string TakeWarnings() {
   return text;
 }
 
-// The lines of a text on one line, each once: MuJoCo's reason repeats what a plugin says at each of
-// its tries.
+// Returns the lines of a text on one line, each once. MuJoCo tries a plugin several times and
+// repeats its message.
 std::string DistinctLines(const std::string& text) {
   std::vector<std::string> lines;
   std::istringstream in(text);
@@ -77,7 +77,7 @@ std::string DistinctLines(const std::string& text) {
   return joined;
 }
 
-// Room for MuJoCo's reason.
+// Size of the buffer for MuJoCo's reason.
 constexpr std::size_t kErrorSize = 1024;
 
 bool IsBinary(const std::string& name) { return std::filesystem::path(name).extension() == ".mjb"; }
@@ -124,7 +124,7 @@ void LoadPlugin(const std::string& path) {
     throw InputError(path + ": no such plugin" + kFix);
   }
   try {
-    // A name without a folder would be looked for among the system's libraries.
+    // The path must have a folder: a mere name is searched for among the system's libraries.
     mj_loadPluginLibrary(std::filesystem::absolute(path).c_str());
   } catch (const InputError& error) {
     throw InputError(path + ": " + error.what() + kFix);
@@ -157,7 +157,7 @@ ModelPointer LoadModel(const ModelFiles& files) {
   std::array<char, kErrorSize> error{};
   mjVFS vfs;
   mj_defaultVFS(&vfs);
-  // Given back even where MuJoCo's error becomes an exception.
+  // The VFS is freed even if an error of MuJoCo becomes an exception.
   const std::unique_ptr<mjVFS, decltype(&mj_deleteVFS)> vfs_guard(&vfs, &mj_deleteVFS);
   for (const auto& [name, text] : files) {
     if (mj_addBufferVFS(&vfs, name.c_str(), text.data(), static_cast<int>(text.size())) != 0) {

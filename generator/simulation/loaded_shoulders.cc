@@ -12,12 +12,12 @@
 namespace girdle {
 namespace {
 
-// Longer steps are too few for the motions that are measured; with shorter ones a motion of some
-// seconds never ends.
+// With longer steps there are too few for the measured motions. With shorter ones a motion of some
+// seconds takes too long.
 constexpr double kLongestTimestep_s = 0.01;
 constexpr double kShortestTimestep_s = 1e-6;
 
-// Of the hinges of a shoulder that are driven.
+// Returns the ranges of a shoulder's driven hinges.
 JointRanges RangesOf(const mjModel& model, const ShoulderElements& elements) {
   JointRanges ranges = ShoulderRhythm::Unbounded();
   const auto coordinates = DrivenCoordinates(elements.assembly);
@@ -31,7 +31,7 @@ JointRanges RangesOf(const mjModel& model, const ShoulderElements& elements) {
   return ranges;
 }
 
-// Of the servos; none for what follows.
+// Returns the stiffness of the servos; 0 for joints without one.
 JointAngles StiffnessOf(const mjModel& model, const ShoulderElements& elements) {
   if (elements.has_plugin()) {
     const char* text = mj_getPluginConfig(&model, elements.instance, kStiffnessKey);

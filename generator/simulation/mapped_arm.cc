@@ -16,18 +16,17 @@
 namespace girdle {
 namespace {
 
-// Newton's method ends with rounding, 1e-16 of a meter or a radian; far above it and far below what
-// anyone could measure.
+// Newton's method ends at rounding, 1e-16 of a meter or a radian. This limit is far above that and
+// far below anything that can be measured.
 constexpr double kSolvedCoupling = 1e-9;
 constexpr int kMostIterations = 40;
 constexpr int kMostHalvings = 10;
-// The held joints go to where they have to be in steps so small that loops of bones stay on their
-// branch.
+// The held joints move to their places in steps so small that loops of bones stay on their branch.
 constexpr double kLargestStep_rad = 5 * kRadiansPerDegree;
-// A joint may be put this far beyond its range: rounding.
+// Rounding: a joint may be this far beyond its range.
 constexpr double kRangeRounding_rad = 1e-9;
 
-// A model at rest: so slow throughout the last while.
+// A model counts as at rest if it is this slow for this long.
 constexpr double kRestDuration_s = 0.1;
 constexpr double kLongestSettling_s = 10;
 
@@ -82,7 +81,7 @@ void MappedArm::FindActuators() {
   }
 }
 
-// A joint that the model sets itself cannot be set by the mapping.
+// Throws if the mapping sets a joint that the model's own constraints set.
 void MappedArm::ExpectNoFollowers() const {
   for (int i = 0; i < static_cast<int>(model_.neq); ++i) {
     if (model_.eq_type[i] != mjEQ_JOINT || model_.eq_active0[i] == 0) {
@@ -131,7 +130,7 @@ ArmMove MappedArm::Move(const ArmAngles& wanted) {
 
 std::string MappedArm::BeyondRange(const std::vector<double>& values) const {
   for (std::size_t i = 0; i < values.size(); ++i) {
-    // Ranges of controls stand by control, those of joints by joint.
+    // Ranges of controls are indexed by control, those of joints by joint.
     const int id = moves_by_actuators() ? addresses_[i] : ids_[i];
     const bool is_limited =
         moves_by_actuators() ? model_.actuator_ctrllimited[id] != 0 : model_.jnt_limited[id] != 0;
@@ -154,8 +153,8 @@ double MappedArm::Coupling() const {
   return largest;
 }
 
-// Gauss-Newton with the smallest step: dq = -J^+ r, r the residuals and J their Jacobian by the
-// free degrees of freedom.
+// Gauss-Newton with the smallest step: dq = -J^+ r. r has the residuals, and J is their Jacobian by
+// the free degrees of freedom.
 double MappedArm::SolveCouplings() {
   mj_fwdPosition(&model_, data_.get());
   double residual = Coupling();
@@ -241,7 +240,7 @@ ArmMove MappedArm::MoveActuators(const std::vector<double>& values) {
       moved_s = data_->time;
     }
   }
-  // What a step derives belongs to the positions before it.
+  // mj_step leaves derived quantities of the positions before the step.
   mj_forward(&model_, data_.get());
   move.coupling = Coupling();
   move.reached = data_->time - moved_s >= kRestDuration_s;

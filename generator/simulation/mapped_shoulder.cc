@@ -17,7 +17,7 @@
 namespace girdle {
 namespace {
 
-// No side of a landmark triangle of a child or an adult is shorter or longer [m].
+// Limits for the sides of a landmark triangle, in children and adults [m].
 constexpr double kShortestSide_m = 0.01;
 constexpr double kLongestSide_m = 1;
 constexpr int kMessageDigits = 3;
@@ -28,7 +28,7 @@ constexpr std::array<std::pair<Segment, std::string_view>, 3> kTriangleNames = {
     {Segment::kHumerus, "GH, EM and EL"},
 }};
 
-// Number of the site or of the body.
+// Returns the number of the site or body.
 int IdOf(const mjModel& model, const MappedLandmark& landmark, const std::string& file) {
   if (const auto* const site = std::get_if<MappedSite>(&landmark.place)) {
     return FindElement(model, mjOBJ_SITE, site->name, file, landmark.line);
@@ -62,7 +62,7 @@ Vector3 MappedShoulder::Position(const mjData& data, Landmark landmark) const {
     const mjtNum* q = data.xquat + 4 * id;
     position_m += Quaternion(q[0], q[1], q[2], q[3]) * body_point->point_m;
   }
-  // A left shoulder is looked at in a mirror and then is a right one.
+  // A left shoulder is mirrored into a right one.
   return OnSide(mapping_.side, position_m);
 }
 
@@ -151,7 +151,7 @@ void MappedShoulder::ExpectSound(const mjData& data) const {
                            " to " + NumberText(kLongestSide_m) +
                            ". Correct the points; the model has to be in meters");
     }
-    // Twice the area is side times height; the least height stands on the longest side.
+    // Twice the area is side times height. The smallest height belongs to the longest side.
     const double height_m = glm::length(glm::cross(p[1] - p[0], p[2] - p[0])) / *longest_m;
     if (height_m < kNearlyOnALine * *longest_m) {
       throw InputError(mapping_.file, line,

@@ -13,9 +13,10 @@
 namespace girdle {
 namespace {
 
-// Nothing in a shoulder lies farther from the origin of its body; millimetres do.
+// No point of a shoulder is farther from the origin of its body. Coordinates in millimetres are.
 constexpr double kFarthestPoint_m = 1;
-// A coordinate turns some times as fast as the arm at most; degrees for radians are 57 times.
+// A coordinate turns at most a few times as fast as the arm. If degrees are given for radians, the
+// factor is 57 times too large.
 constexpr double kLargestFactor = 10;
 
 constexpr std::string_view kSide = "side";
@@ -35,7 +36,7 @@ std::string Listed(const Names& names) {
   return text;
 }
 
-// What the user meant by a part that is not known; ends in a blank unless empty.
+// Returns a hint at the known part that the user meant. It ends in a blank unless it is empty.
 std::string MeantPart(std::string_view part) {
   std::vector<std::string_view> known(kSegmentNames.begin(), kSegmentNames.end());
   for (const std::string_view landmark : kLandmarkNames) {
@@ -178,7 +179,7 @@ class MappingReader {
     mapping_.drives.push_back(std::move(drive));
   }
 
-  // Every bone but the clavicle, and both angles of the arm.
+  // Throws unless every bone but the clavicle and both angles of the arm are mapped.
   void ExpectWhole() const {
     if (!has_side_) {
       FailFile("no row for side. Add one: side,,right");
@@ -229,7 +230,7 @@ class MappingReader {
   [[nodiscard]] bool IsGiven(std::string_view column) const {
     return csv_.HasColumn(column) && !csv_.Field(csv_.Column(column)).empty();
   }
-  // A number in a column that says nothing of this part is a mistake.
+  // Throws if a column has a number that means nothing for this part.
   void ExpectOnly(const std::vector<Columns>& wanted, bool wants_offset = false) const {
     for (const Columns& columns : {kPointColumns, kTurnColumns, kFactorColumns}) {
       if (std::find(wanted.begin(), wanted.end(), columns) == wanted.end()) {

@@ -16,14 +16,14 @@ namespace {
 
 constexpr const char* kAnew = " or make the model anew with girdle generate --skin";
 
-// Of our skin among those of a model; negative if it is not there.
+// Returns the index of Girdle's skin in a model; negative if there is none.
 int NumberIn(const mjModel& model) {
   return mj_name2id(&model, mjOBJ_SKIN, std::string(kSkinName).c_str());
 }
 
 Vector3 VectorAt(const float* v) { return {v[0], v[1], v[2]}; }
 
-// Everything in the frame of a bone as it was bound.
+// Expresses vertices and bones in the frame of a bone as bound.
 void PutInFrameOf(const BoneFrame& frame, BoundSkin& skin) {
   const Quaternion q = glm::conjugate(frame.q_TB);
   for (Vector3& vertex_m : skin.surface.vertices_m) {
@@ -95,7 +95,7 @@ ModelSkin::ModelSkin(const mjModel& model, std::string model_name)
 
   scene_.reset(new mjvScene);
   mjv_defaultScene(scene_.get());
-  // Solids are not asked for below.
+  // The scene draws no solids, so room for one is enough.
   constexpr int kSolids = 1;
   mjv_makeScene(&model, scene_.get(), kSolids);
 }

@@ -69,7 +69,7 @@ int FindElement(const mjModel& model, mjtObj type, const std::string& name, cons
   std::vector<std::string> names;
   for (int i = 0; i < CountOf(model, type); ++i) {
     const char* other = mj_id2name(&model, type, i);
-    // The world is no bone.
+    // The world is not a bone.
     if (other != nullptr && !(type == mjOBJ_BODY && i == 0)) {
       names.emplace_back(other);
     }

@@ -10,7 +10,7 @@
 namespace girdle {
 namespace {
 
-// Whether any instance of the plugin is in the model.
+// Whether the model has any instance of the plugin.
 bool HasInstance(const mjModel& model) {
   int slot = -1;
   return mjp_getPlugin(kPluginName, &slot) != nullptr &&
@@ -24,7 +24,7 @@ class ElementFinder {
   ElementFinder(const mjModel& model, const std::string& model_name, Side side)
       : model_(model), model_name_(model_name), side_(side) {}
 
-  // Id, or -1.
+  // Returns the id, or -1 if there is no such element.
   [[nodiscard]] int Look(mjtObj type, std::string_view stem) const {
     return mj_name2id(&model_, type, SidedName(stem, side_).c_str());
   }
@@ -111,7 +111,7 @@ class ElementFinder {
                    find_optional);
   }
 
-  // An instance of the other side would aim at the mirror image and report one.
+  // Throws if an instance is configured for the other side: it would drive the mirror image.
   void CheckSide(int instance) const {
     const char* const text = mj_getPluginConfig(&model_, instance, kSideKey);
     const std::string configured(text == nullptr || *text == '\0' ? kSideNames.front()
@@ -170,7 +170,7 @@ std::vector<ShoulderElements> FindShoulders(const mjModel& model, const std::str
     }
   }
   if (shoulders.empty()) {
-    // Says what of a right one is missing.
+    // FindAll throws, and names the element of a right shoulder that is missing.
     shoulders.push_back(ElementFinder(model, model_name, Side::kRight).FindAll());
   }
   return shoulders;

@@ -39,7 +39,8 @@ double ShoulderSimulation::WithinControl(double value, int control) const {
   return std::clamp(value, range[0], range[1]);
 }
 
-// The plugin solves what is left of the command within the controls' ranges.
+// Axial turns are recounted for the command within the controls' ranges, because the plugin solves
+// that command.
 ArmCommand ShoulderSimulation::AsModelCounts(const ArmCommand& command) const {
   if (command.axial_from == axial_from_) {
     return command;
@@ -102,7 +103,7 @@ JointAngles ShoulderSimulation::TargetsOf(const ShoulderElements& elements) cons
   return target_rad;
 }
 
-// Where the clavicle, turned as SC is told to, has the AC joint: in the thorax, mirrored to the
+// Returns the place of the AC joint on the clavicle at SC's targets, in the thorax, mirrored to the
 // right.
 Vector3 ShoulderSimulation::PlaceFor(const ShoulderElements& elements,
                                      const JointAngles& target_rad) const {
@@ -256,7 +257,7 @@ double ShoulderSimulation::FastestJoint(mjtJoint type) const {
   return fastest;
 }
 
-// Length of the sum of the constraint's three forces.
+// Returns the length of the sum of the constraint's three forces.
 double ShoulderSimulation::ConnectForce() const {
   double squared = 0;
   for (int row = 0; elements().connect >= 0 && row < data().nefc; ++row) {
@@ -272,7 +273,7 @@ void ShoulderSimulation::AddLigaments(ShoulderState& state) const {
     const int tendon = elements().tendons[i];
     state.ligament_m[i] = data().ten_length[tendon];
     const double beyond_slack_m = state.ligament_m[i] - model().tendon_lengthspring[2 * tendon + 1];
-    // A length that is not a number is beyond.
+    // A length that is NaN counts as beyond slack.
     state.ligament_force_N[i] =
         model().tendon_stiffness[tendon] * (beyond_slack_m <= 0 ? 0 : beyond_slack_m);
   }
@@ -283,8 +284,8 @@ bool ShoulderSimulation::IsOnThorax(const mjContact& contact) const {
          (contact.geom[0] == elements().gliding || contact.geom[1] == elements().gliding);
 }
 
-// With which the thorax pushes each degree of freedom: by its contacts, and in a loop by way of the
-// AC joint. A joint that lies at its limit is held by something else.
+// Returns the torque of the thorax on each degree of freedom, through its contacts and, in a loop,
+// through the AC joint. Forces of joint limits are not included.
 std::vector<double> ShoulderSimulation::PushingTorques() const {
   std::vector<mjtNum> forces(static_cast<std::size_t>(data().nefc), 0);
   for (int row = 0; row < data().nefc; ++row) {
@@ -310,7 +311,7 @@ void ShoulderSimulation::AddThoraxContact(ShoulderState& state) const {
     const mjContact& contact = data().contact[i];
     if (IsOnThorax(contact)) {
       state.contact_force_N = WorseOf(state.contact_force_N, data().efc_force[contact.efc_address]);
-      // The sphere that stands for the landmark touches sooner than its centre.
+      // The contact's sphere around the landmark touches the ellipsoid before the landmark does.
       const int sphere = contact.geom[contact.geom[0] == elements().gliding ? 1 : 0];
       const double depth_m = -contact.dist - model().geom_size[3 * sphere];
       state.contact_depth_m = depth_m <= state.contact_depth_m ? state.contact_depth_m : depth_m;
@@ -383,7 +384,7 @@ ShoulderState ShoulderSimulation::Step(const ArmCommand& command, const CommandR
   const JointAngles position_rad = Positions();
   const double fastest_rad_per_s = FastestJoint(mjJNT_HINGE);
   const double fastest_m_per_s = FastestJoint(mjJNT_SLIDE);
-  // What mj_step derives belongs to the positions before it moves them.
+  // mj_step derives its quantities before it moves the positions.
   mj_step(&model(), &data());
   EngineWatch::ExpectNoWarning(name() + ": at " + NumberText(time_s) + " s");
   ShoulderState state = Derived(time_s, command, position_rad);

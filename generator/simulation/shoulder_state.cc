@@ -6,8 +6,9 @@
 namespace girdle {
 
 ShoulderState MirroredToRight(const ShoulderState& left) noexcept {
-  // World: y to -y. A body's own frame is mirrored in z besides (rotation.h), so that with both
-  // mirrors turned into half turns about y and z, R_right = Ry(pi) R_left Rz(pi).
+  // The mirror takes y of the world to -y. A body's own frame is mirrored in z in addition
+  // (rotation.h). Both mirrors are expressed as half turns about y and z: R_right = Ry(pi) R_left
+  // Rz(pi).
   const Quaternion about_y{0, 0, 1, 0};
   const Quaternion about_z{0, 0, 0, 1};
   ShoulderState right = left;

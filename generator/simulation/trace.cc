@@ -13,8 +13,9 @@
 namespace girdle {
 namespace {
 
-// The way to degrees and back moves an angle by at most a few units in the last place, always in
-// one direction, and ends at an angle that it leaves alone.
+// Returns an angle near `angle_rad` that the conversion to degrees and back does not change. A
+// conversion moves an angle by a few units in the last place at most, always in one direction, so
+// that repeated conversions end at such an angle.
 double ReplayableAngle(double angle_rad) noexcept {
   constexpr int kMostRounds = 8;
   for (int round = 0; round < kMostRounds; ++round) {
@@ -86,12 +87,12 @@ Stems SiteStems(const Assembly& /*assembly*/) {
   return stems;
 }
 
-// In the order of AxialFrom.
+// Stems in the order of AxialFrom.
 Stems UsedAxialStems(const Assembly& /*assembly*/) {
   return {std::string(kUsedAxialNames[0]), std::string(kUsedAxialNames[1])};
 }
 
-// In the order of the trace. Further columns are a line here.
+// The columns in the order of the trace. A further column is one more line here.
 constexpr std::array<OutputColumns<ShoulderState, Assembly>, 10> kTraceColumns = {{
     {[](const Assembly&) { return Stems{"time"}; }, kSeconds,
      [](const ShoulderState& state, std::size_t) -> Cell { return state.time_s; }},
@@ -146,14 +147,14 @@ std::string TraceHeader(Assembly assembly) {
 }
 
 std::uintmax_t SizeOfRows(const std::string& header, std::uintmax_t rows) noexcept {
-  // A double has 17 digits at most, a sign, a point, and a comma behind it.
+  // A double has at most 17 digits, a sign and a point, and a comma follows it.
   constexpr std::uintmax_t kBytesOfNumber = 20;
   const auto commas = static_cast<std::uintmax_t>(std::count(header.begin(), header.end(), ','));
   return header.size() + rows * (commas + 1) * kBytesOfNumber;
 }
 
 void AppendTraceRow(std::string& text, const ShoulderState& state) {
-  // Assemblies differ in names alone.
+  // Only the names of the columns depend on the assembly.
   static const TraceColumns kColumns(kTraceColumns, Assembly::kTree);
   kColumns.Append(text, state);
   text += '\n';

@@ -12,11 +12,11 @@
 namespace girdle {
 namespace {
 
-// The heat of skin that lies right on a bone would be without bounds.
+// Least distance in the formula: the heat of skin directly on a bone would be unbounded.
 constexpr double kNearest_m = 0.004;
-// Distances that differ by rounding alone are the same.
+// Distances that differ by no more than this count as equal.
 constexpr double kSameDistance_m = 1e-9;
-// A sliver's cotangent must not outweigh all others.
+// Limit of a cotangent, so that a very thin triangle does not outweigh all others.
 constexpr double kLargestCotangent = 100;
 
 double Cotangent(const Vector3& corner, const Vector3& a, const Vector3& b) {
@@ -95,7 +95,7 @@ SkinWeights BoneHeat(const TriangleMesh& surface, const std::vector<BoneShape>& 
   }
   const Eigen::MatrixXd heat = factors.solve(source);
 
-  // Exact shares are within 0 and 1 and their sum is 1; rounding is taken out.
+  // Exact shares are within 0 and 1 and their sum is 1. Rounding errors are removed here.
   SkinWeights weights(bones.size(), std::vector<double>(vertices.size()));
   for (Eigen::Index i = 0; i < count; ++i) {
     double sum = 0;

@@ -14,16 +14,17 @@
 namespace girdle {
 namespace {
 
-// Of an adult's bones [m]; they grow with them.
+// Radii for an adult's bones [m]. They scale with the bones.
 constexpr double kHumeralHead_m = 0.022;
 constexpr double kShaft_m = 0.012;
-// Thicker than the bone: a hundredth of the thorax's share would move the elbow by millimeters.
+// Thicker than the bone, because a share of a hundredth of the thorax would move the elbow by
+// millimeters.
 constexpr double kLowerArm_m = 0.024;
 constexpr double kNeck_m = 0.030;
 constexpr double kClavicle_m = 0.006;
 constexpr double kBlade_m = 0.008;
-// The skin lies nearer to the ribs than to the girdle only where the girdle is not: the rib cage is
-// taken this much narrower than it is drawn.
+// The rib cage is narrower than drawn by this factor, so that skin is nearer to the ribs than to
+// the girdle only where there is no girdle.
 constexpr double kRibcageShare = 0.96;
 
 Vector3 Middle(const Vector3& a, const Vector3& b) { return (a + b) / 2.0; }
@@ -42,7 +43,8 @@ class ShapeMaker {
     const Vector3 c7 = InMedianPlane(anatomy.landmark_m(Landmark::kC7));
     const Vector3 t8 = InMedianPlane(anatomy.landmark_m(Landmark::kT8));
     const Vector3 xiphoid = InMedianPlane(anatomy.landmark_m(Landmark::kPX));
-    // From between C7 and the notch up, as high as it is wide from front to back.
+    // The neck, from between C7 and the notch upward. It is as high as it is deep from front to
+    // back.
     const Vector3 throat = Middle(notch, c7) + Vector3{0, 0.02 * scale, 0};
     const Vector3 jaw = throat + Vector3{0, glm::length(notch - c7), 0};
     const double thin = kShaft_m * scale;

@@ -20,7 +20,7 @@ double RoundedTo(int decimals, double value) {
   return std::round(value * steps) / steps;
 }
 
-// What a bone does to skin bound to it: v -> turn v + shift.
+// Motion of a bone, and of the skin bound to it: v -> turn v + shift.
 struct Motion {
   Matrix3 turn;
   Vector3 shift;
@@ -50,7 +50,7 @@ BoundSkin Bind(const PosedBody& body, const std::vector<SkinBone>& bones,
   }
   const double smallest = std::pow(10.0, -kWeightDecimals);
   for (std::size_t i = 0; i < skin.surface.vertices_m.size(); ++i) {
-    // What rounding takes or gives goes to the largest share.
+    // The largest share takes the difference that rounding leaves.
     std::size_t largest = 0;
     double others = 0;
     std::vector<double> rounded(bones.size());

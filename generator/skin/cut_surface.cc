@@ -15,7 +15,7 @@ namespace {
 
 using Edge = std::pair<int, int>;
 
-// A surface under the knife: vertices are only added until what is not used is left out.
+// A surface that is cut. Vertices are only added, until the unused ones are removed at the end.
 class Cutter {
  public:
   Cutter(WeightedSurface surface, const HalfSpace& kept, const std::vector<bool>& spared)
@@ -42,7 +42,7 @@ class Cutter {
     return height_m_[static_cast<std::size_t>(vertex)];
   }
 
-  // A vertex amid others, which have shares of 1 in sum.
+  // Appends a vertex that is the mean of others, weighted with shares whose sum is 1.
   int Append(const std::vector<std::pair<int, double>>& shares) {
     const auto blend = [&shares](const auto& values) {
       auto sum = shares[0].second * values[static_cast<std::size_t>(shares[0].first)];
@@ -57,7 +57,7 @@ class Cutter {
     return static_cast<int>(height_m_.size()) - 1;
   }
 
-  // The vertex where the plane crosses an edge; the same for both triangles at the edge.
+  // Returns the vertex where the plane crosses an edge. Both triangles at the edge get one vertex.
   int Crossing(int a, int b) {
     const Edge edge = std::minmax(a, b);
     const auto known = crossings_.find(edge);
@@ -85,7 +85,7 @@ class Cutter {
     surface_.mesh.triangles = std::move(kept);
   }
 
-  // Puts a lid on every hole whose rim lies in the plane.
+  // Closes every hole whose rim lies in the plane with a lid.
   void CloseLids() {
     std::set<Edge> edges;
     for (const Triangle& triangle : surface_.mesh.triangles) {
@@ -93,7 +93,7 @@ class Cutter {
         edges.emplace(triangle[i], triangle[(i + 1) % triangle.size()]);
       }
     }
-    // Once around a hole, with the hole to the left.
+    // Goes once around a hole, with the hole on the left.
     std::map<int, int> next;
     for (const auto& [a, b] : edges) {
       if (edges.count({b, a}) == 0 && Height_m(a) == 0 && Height_m(b) == 0) next[b] = a;
@@ -108,7 +108,7 @@ class Cutter {
     }
   }
 
-  // A narrow ring inside the rim keeps the lid from bending the normals of what it closes.
+  // A narrow ring inside the rim keeps the lid from changing the normals of the skin around it.
   void CloseLid(const std::vector<int>& rim) {
     constexpr double kRingShare = 0.03;
     std::vector<std::pair<int, double>> shares;
@@ -153,7 +153,7 @@ class Cutter {
   }
 
   WeightedSurface surface_;
-  std::vector<double> height_m_;  // of vertices above the plane; what is spared is above
+  std::vector<double> height_m_;  // of vertices above the plane; spared vertices count as above
   std::map<Edge, int> crossings_;
 };
 

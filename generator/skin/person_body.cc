@@ -22,7 +22,7 @@ std::string OutsideText(double depth_m) {
   return RoundedText(-depth_m * kMillimetersPerMeter, 0) + " mm outside the skin of ";
 }
 
-// Refuses bones that are not in the body.
+// Throws if bones are outside the body.
 void CheckLandmarks(const PosedBody& body, const std::vector<Side>& sides,
                     const std::string& mesh_file, const std::string& landmark_file) {
   const SurfaceDepth skin(body.surface);

@@ -55,7 +55,7 @@ Vector3 OnSideInThorax_m(const Anatomy& anatomy, const ShoulderPose& pose, Side 
 }
 
 Vector3 AcromionTip_m(const Anatomy& anatomy) noexcept {
-  // In an adult whose scapula measures this from TS to PAC.
+  // Length TS to PAC of the scapula for which the tip is given.
   constexpr double kScapulaLength_m = 0.1291;
   const Vector3 tip_m{0, -0.010, 0.019};
   return tip_m * (glm::length(anatomy.landmark_m(Landmark::kTS)) / kScapulaLength_m);

@@ -12,8 +12,8 @@
 namespace girdle {
 namespace {
 
-// As far from the bone as no arm's skin is, in lengths of the upper arm: the vertex nearest to a
-// point so far out lies on that side.
+// A distance from the bone, in lengths of the upper arm, that is greater than that of any arm's
+// skin. The vertex nearest to a point this far out is therefore on that side.
 constexpr double kOutside = 0.28;
 
 std::vector<int> NearestVertices(const TriangleMesh& surface, const Vector3& point_m,

@@ -35,7 +35,7 @@ std::vector<SkinBone> BonesNamed(const std::vector<BoundBone>& bones) {
   return named;
 }
 
-// Velocities [m/rad] at a command, from the side that the step points to.
+// Returns the velocities [m/rad] at a command, on the side in the direction of the step.
 SkinLandmarkPlaces OneSidedVelocities(const LandmarkFunction& landmarks, Direction direction,
                                       const ArmCommand& command, const SkinLandmarkPlaces& origin_m,
                                       const SkinDifference& difference) {
@@ -158,7 +158,7 @@ AreaChange ChangeOfAreas(const TriangleMesh& surface, const std::vector<Vector3>
                          const std::vector<std::size_t>& triangles) {
   struct Part {
     double ratio;
-    double area_m2;  // at first
+    double area_m2;  // before the movement
   };
   std::vector<Part> parts;
   double total_m2 = 0;

@@ -16,14 +16,14 @@ double SignedDistance_m(const RoundCone& cone, const Vector3& point_m) noexcept 
   const double length_m = glm::length(axis);
   const double taper_m = cone.from_radius_m - cone.to_radius_m;
   const Vector3 p = point_m - cone.from_m;
-  // One ball within the other.
+  // One ball contains the other.
   if (length_m <= std::abs(taper_m)) {
     return std::min(glm::length(p) - cone.from_radius_m,
                     glm::length(point_m - cone.to_m) - cone.to_radius_m);
   }
   const double along_m = glm::dot(p, axis) / length_m;
   const double across_m = std::sqrt(std::max(glm::dot(p, p) - along_m * along_m, 0.0));
-  // The mantle leans by this sine: the ball that is nearest lies on the thick side of the foot.
+  // The mantle is inclined by this sine: the nearest ball is on the thick side of the foot.
   const double sine = taper_m / length_m;
   const double cosine = std::sqrt(1 - sine * sine);
   const double foot_m = std::clamp(along_m - across_m * sine / cosine, 0.0, length_m);

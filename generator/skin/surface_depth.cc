@@ -26,7 +26,7 @@ bool IsFinite(const Vector3& point_m) {
   return std::isfinite(point_m.x) && std::isfinite(point_m.y) && std::isfinite(point_m.z);
 }
 
-// The nearest point lies within the triangle where the point's foot does, else on an edge.
+// The nearest point is within the triangle if the foot of the point is; otherwise it is on an edge.
 double DistanceFromTriangle_m(const Vector3& point, const Vector3& a, const Vector3& b,
                               const Vector3& c) {
   const Vector3 normal = glm::cross(b - a, c - a);
@@ -57,18 +57,18 @@ PlaneDirection HalfSolidAngle(const Vector3& a, const Vector3& b, const Vector3&
           glm::dot(a, glm::cross(b, c))};
 }
 
-// A sum of angles: what is left of whole turns as a direction, so that no angle is computed but
-// the sum's. The direction of a sum is the product of complex numbers.
+// A sum of angles, kept as a number of whole turns and a direction, so that only the final angle
+// needs an arc tangent. The direction of a sum is the product of the directions as complex numbers.
 class AngleSum {
  public:
   void Add(const PlaneDirection& angle) noexcept {
     const double size = std::abs(angle.x) + std::abs(angle.y);
     if (!(size > 0)) {
-      return;  // no direction: seen from a corner a triangle has no solid angle
+      return;  // no direction: from its own corner, a triangle has no solid angle
     }
     const PlaneDirection sum{(sum_.x * angle.x - sum_.y * angle.y) / size,
                              (sum_.x * angle.y + sum_.y * angle.x) / size};
-    // Two angles of one sign pass half a turn where their sum has the other sign.
+    // Two angles of one sign pass half a turn if their sum has the other sign.
     const bool first = sum_.y >= 0;
     const bool second = angle.y >= 0;
     const bool is_positive = sum.y >= 0;
@@ -81,13 +81,14 @@ class AngleSum {
     }
   }
   [[nodiscard]] double rad() const noexcept {
-    // Half a turn counts as positive, as in Add(), also where its sine is -0.
+    // Half a turn counts as positive, as in Add(), even if its sine is -0.
     const double sine = sum_.y == 0 ? 0 : sum_.y;
     return std::atan2(sine, sum_.x) + 2 * kPi * turns_;
   }
 
  private:
-  // Each product keeps 0.7 of the length or more; of so many ten millionths are left.
+  // Each product keeps at least 0.7 of the length. After this many products a length of 1 is still
+  // 1e-5.
   static constexpr unsigned kMostProducts = 32;
 
   PlaneDirection sum_;

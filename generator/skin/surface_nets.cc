@@ -15,11 +15,11 @@ namespace {
 
 constexpr double kMostPoints = 50e6;
 constexpr int kNoVertex = -1;
-// How deep a corner that was taken in counts as, in cells.
+// Depth of a corner that was added to the inside, in cells.
 constexpr double kFilled = 0.01;
-// Points along an edge of the largest block that one value can stand for; a power of 2.
+// Points along an edge of the largest block that one value can represent; a power of 2.
 constexpr std::size_t kLargestBlock = 8;
-// From the middle of a cube of side 1 to a corner.
+// Distance from the middle of a cube of side 1 to a corner.
 constexpr double kHalfDiagonal = 0.8660254037844386;
 
 using Step = std::array<std::size_t, 3>;
@@ -81,9 +81,9 @@ class Grid {
   }
 
  private:
-  // Finds the values of the points of a cube, as far as it lies in the grid. One value stands for
-  // all where the surface is farther from the middle than every neighbour of a point in the cube:
-  // of such points only the sign is ever asked.
+  // Finds the values of the points of a cube, as far as it lies in the grid. One value represents
+  // all points if the surface is farther from the middle than every neighbour of a point in the
+  // cube: only the signs of such points are used.
   void Evaluate(const std::function<double(const Vector3&)>& value_m, double steepest,
                 const Step& first, std::size_t size) {
     Step end{};
@@ -124,9 +124,9 @@ class Grid {
     }
   }
 
-  // Where the signs of a face's four corners alternate, the surface would touch itself along an
-  // edge. The outer corner that is nearer to the surface is taken in. Returns whether there was
-  // such a face; each turn takes corners in, so that there is a last one.
+  // If the signs of a face's four corners alternate, the surface would touch itself along an edge.
+  // The outer corner that is nearer to the surface is then added to the inside. Returns whether
+  // there was such a face. Each round adds corners, so that the rounds end.
   bool FillAlternatingFaces() {
     bool has_filled = false;
     ForEachPoint([&](std::size_t index, const Step& at) {
@@ -160,7 +160,8 @@ class Grid {
   std::vector<double> values_m_;
 };
 
-// Mean of where the surface crosses the edges of the cell above a point; false if it does not.
+// Computes the mean of the points where the surface crosses the edges of the cell above a point.
+// Returns false if it crosses none.
 bool MeanCrossing_m(const Grid& grid, std::size_t index, const Step& at, Vector3& mean_m) {
   Vector3 sum{0, 0, 0};
   int crossings = 0;
@@ -190,7 +191,7 @@ bool MeanCrossing_m(const Grid& grid, std::size_t index, const Step& at, Vector3
   return true;
 }
 
-// One step of Newton's along the gradient, no farther than the vertex may stray from its cell.
+// Moves a vertex by one Newton step along the gradient, no farther than it may leave its cell.
 Vector3 DrawnToSurface_m(const std::function<double(const Vector3&)>& value_m,
                          const Vector3& point_m, double cell_m) {
   const double difference_m = 0.01 * cell_m;
@@ -234,7 +235,7 @@ TriangleMesh SurfaceNets(const std::function<double(const Vector3&)>& value_m, c
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const std::size_t second = (axis + 1) % 3;
       const std::size_t third = (axis + 2) % 3;
-      // The edge from this point along the axis, with all four cells around it.
+      // The edge from this point along the axis is used if all four cells around it exist.
       if (!grid.HasCell(at) || at[second] == 0 || at[third] == 0) {
         continue;
       }

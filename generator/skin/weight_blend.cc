@@ -9,7 +9,7 @@
 namespace girdle {
 namespace {
 
-// The vertices that share an edge with each, by number.
+// Returns the vertices that share an edge with each vertex, by number.
 std::vector<std::vector<int>> NeighboursIn(const TriangleMesh& surface) {
   std::vector<std::set<int>> around(surface.vertices_m.size());
   for (const Triangle& triangle : surface.triangles) {

@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr const char* kEmptyLine = "empty line between rows. Remove it";
-// Of a block. Large against the cost of handing it to another thread, and small enough that a slow
-// stream and a terminal that shows progress do not wait for it.
+// Bytes of a block. A block is large against the cost of passing it to another thread. It is small
+// enough that a slow stream and a terminal with progress do not wait for it.
 constexpr std::size_t kBlockSize = 8192;
 
 std::string Joined(const std::vector<std::string>& names) {
@@ -38,7 +38,7 @@ std::string_view CutLine(std::string_view& text) {
   return line;
 }
 
-// Takes the empty lines from the end of `text` and returns how many there were.
+// Removes the empty lines at the end of `text` and returns their number.
 std::size_t CutEmptyEnd(std::string& text) {
   std::size_t count = 0;
   while (!text.empty()) {
@@ -61,7 +61,7 @@ std::size_t CountLines(const std::string& text) {
   return line_ends + (text.empty() || text.back() == '\n' ? 0 : 1);
 }
 
-// As SplitFields, for a line with quotes: the fields are views of `unquoted`.
+// Splits a line with quotes, as SplitFields does. The fields are views of `unquoted`.
 const char* SplitQuotedFields(std::string_view line, std::vector<std::string_view>& fields,
                               std::string& unquoted) {
   fields.clear();
@@ -101,8 +101,8 @@ const char* SplitQuotedFields(std::string_view line, std::vector<std::string_vie
   }
 }
 
-// Splits a line into its fields, which are views of it or of `unquoted`. Returns what is wrong with
-// it, or nothing.
+// Splits a line into its fields, which are views of the line or of `unquoted`. Returns a fault, or
+// null.
 const char* SplitFields(std::string_view line, std::vector<std::string_view>& fields,
                         std::string& unquoted) {
   fields.clear();
@@ -188,7 +188,7 @@ CsvReader::CsvReader(std::istream& in, std::string name)
   }
 }
 
-// Finds the header and leaves what follows it unread.
+// Finds the header, and leaves the text after it unread.
 void CsvReader::ReadHeader() {
   CsvBlock block;
   std::string_view rest;
@@ -245,7 +245,7 @@ bool CsvReader::TakeLines(CsvBlock& block) {
     if (in_.bad()) {
       throw InputError(name(), line_number_, "cannot be read");
     }
-    // The last line, if it has no end.
+    // The last line has no line end.
     lines_size_ = unread_.size();
     break;
   }
@@ -313,7 +313,7 @@ void CsvReader::ExpectNoneNearly(const std::vector<std::string_view>& known) con
 
 void CsvReader::ExpectNotNearly(const std::string& column,
                                 const std::vector<std::string_view>& known) const {
-  // A known name is meant as it stands, even where another one is nearly it.
+  // A name that is known counts as it is, even if another known name is nearly equal.
   if (std::find(known.begin(), known.end(), column) != known.end()) {
     return;
   }

@@ -7,8 +7,8 @@
 /// ends, a missing line end at the end, and fields in double quotes (with "" for a quote; no line
 /// break inside).
 ///
-/// CsvReader reads a file row by row. To share the work between threads, one at a time takes the
-/// next CsvBlock from it and then reads the rows of that with CsvRows of its own.
+/// CsvReader reads a file row by row. Threads can share the work: one at a time takes the next
+/// CsvBlock from the reader, and then reads the block's rows with its own CsvRows.
 #pragma once
 
 #include <cstddef>
@@ -20,16 +20,16 @@
 
 namespace girdle {
 
-/// What the rows of a file have in common.
+/// Header of a file, which all its rows have in common.
 struct CsvHeader {
-  std::string file;                   ///< stands in messages for the file
-  std::string line;                   ///< as it stands in the file, without its line end
+  std::string file;                   ///< the file's name in messages
+  std::string line;                   ///< header as in the file, without its line end
   std::size_t line_number = 0;        ///< from 1
   std::vector<std::string> columns;   ///< names, without quotes
   std::vector<std::string> comments;  ///< lines before it that begin with `#`, without line ends
 };
 
-/// Successive whole rows of a file, as they stand in it; the last may lack its line end.
+/// Successive whole rows of a file, unchanged. The last row may lack its line end.
 struct CsvBlock {
   std::string text;
   std::size_t first_line_number = 0;  ///< in the file, from 1
@@ -39,23 +39,23 @@ struct CsvBlock {
 /// errors are InputError with file and line.
 class CsvRows {
  public:
-  /// Without rows as yet. `header` must outlive this.
+  /// Begins without rows. `header` must outlive this.
   explicit CsvRows(const CsvHeader& header) : header_(header) {}
 
-  /// Goes before the first row of `block`, which must stay as it is while its rows are read.
+  /// Moves to before the first row of `block`, which must not change while its rows are read.
   void Start(const CsvBlock& block) noexcept;
 
   /// Reads the next row. Returns false at the end of the block. Throws if the number of fields
   /// differs from the header's, a quote is not closed or the line is empty.
   [[nodiscard]] bool Next();
 
-  /// The current row as it stands in the file, without its line end. Valid as long as the block.
+  /// The current row as in the file, without its line end. Valid as long as the block.
   [[nodiscard]] std::string_view line() const noexcept { return line_; }
   /// The text of a field of the current row, without quotes. Valid until the next call of Next.
   [[nodiscard]] std::string_view Field(std::size_t column) const { return fields_[column]; }
   /// Returns a field of the current row as a finite number. Throws otherwise.
   [[nodiscard]] double Number(std::size_t column) const;
-  /// As Number, within [lower, upper].
+  /// Returns a field as Number does. Throws too if it is outside [lower, upper].
   [[nodiscard]] double NumberWithin(std::size_t column, double lower, double upper) const;
 
   /// Throws InputError at the current row.
@@ -81,23 +81,24 @@ class CsvRows {
 /// are InputError with file and line.
 class CsvReader {
  public:
-  /// Reads up to and including the header. `name` stands in messages for the file. Throws if there
-  /// is no header, a column has no name or two have the same. `in` must outlive the reader.
+  /// Reads the file up to and including the header. `name` is the file's name in messages. Throws
+  /// if there is no header, if a column has no name, or if two columns have the same name. `in`
+  /// must outlive the reader.
   CsvReader(std::istream& in, std::string name);
   CsvReader(const CsvReader&) = delete;
   CsvReader& operator=(const CsvReader&) = delete;
 
   /// Reads the next row. Returns false at the end. Throws if the number of fields differs from the
-  /// header's, a quote is not closed or the stream fails. Empty lines at the end are passed over,
-  /// within the rows they are errors.
+  /// header's, a quote is not closed, the stream fails, or an empty line is between rows. Empty
+  /// lines at the end are skipped.
   [[nodiscard]] bool Next();
 
-  /// Takes the next rows for a CsvRows to read, in place of Next: as many as the stream has at
-  /// hand, a few kilobytes of them at most. There may be none in the block. Waits for the stream
-  /// only if it has no whole line at hand. Returns false at the end. Throws if the stream fails or
-  /// an empty line stands between this block and an earlier one.
+  /// Takes the next rows for a CsvRows, in place of Next. The block has the rows that the stream
+  /// has ready, at most a few kilobytes; it may be empty. Waits for the stream only if no whole
+  /// line is ready. Returns false at the end. Throws if the stream fails, or if an empty line lies
+  /// between this block and an earlier one.
   [[nodiscard]] bool TakeBlock(CsvBlock& block);
-  /// Returns whether TakeBlock will not wait for the stream; false at the end, too.
+  /// Returns whether TakeBlock can answer without waiting for the stream. False at the end, too.
   [[nodiscard]] bool HasLinesAtHand();
 
   [[nodiscard]] const CsvHeader& header() const noexcept { return header_; }
@@ -106,19 +107,21 @@ class CsvReader {
   [[nodiscard]] const std::vector<std::string>& comments() const noexcept {
     return header_.comments;
   }
-  /// The header line as it stands in the file, without its line end.
+  /// The header line as in the file, without its line end.
   [[nodiscard]] const std::string& header_line() const noexcept { return header_.line; }
 
-  /// Returns the position of a column. Throws if it is missing, naming those that are there.
+  /// Returns the position of a column. Throws if it is missing, with the names of the file's
+  /// columns.
   [[nodiscard]] std::size_t Column(std::string_view column) const;
   [[nodiscard]] bool HasColumn(std::string_view column) const noexcept;
-  /// Throws if the file has a column that is not among `known`, whatever it is called: such a file
-  /// has no others.
+  /// Throws if the file has a column that is not among `known`. This is for formats that have no
+  /// other columns.
   void ExpectOnlyColumns(const std::vector<std::string_view>& known) const;
-  /// Throws if a column is nearly one of `known` (IsNearly), with the one that is meant.
+  /// Throws if the name of a column is nearly one of `known` (IsNearly), with the name that is
+  /// meant.
   void ExpectNoneNearly(const std::vector<std::string_view>& known) const;
 
-  /// The current row, and what CsvRows says of it.
+  /// The current row, whose fields the functions of CsvRows return.
   [[nodiscard]] const CsvRows& row() const noexcept { return rows_; }
   [[nodiscard]] std::string_view line() const noexcept { return rows_.line(); }
   [[nodiscard]] std::string_view Field(std::size_t column) const { return rows_.Field(column); }
@@ -135,16 +138,16 @@ class CsvReader {
  private:
   void ReadHeader();
   void ExpectNotNearly(const std::string& column, const std::vector<std::string_view>& known) const;
-  /// As TakeBlock, with the empty lines.
+  /// Takes lines as TakeBlock does, with empty lines among them.
   [[nodiscard]] bool TakeLines(CsvBlock& block);
 
   std::istream& in_;
-  std::string unread_;                            ///< taken from the stream and not handed out
+  std::string unread_;                            ///< taken from the stream, not handed out
   std::size_t lines_size_ = 0;                    ///< of the whole lines in unread_
   std::size_t line_number_ = 1;                   ///< of the first line in unread_
   std::optional<std::size_t> empty_line_number_;  ///< of the first empty line behind the last row
   CsvHeader header_;
-  CsvBlock block_;  ///< that Next reads
+  CsvBlock block_;  ///< the block that Next reads
   CsvRows rows_;
 };
 

@@ -9,8 +9,8 @@
 
 namespace girdle {
 
-/// Returns the text of a report: indented, with a line end at its end. Names of files may be of any
-/// bytes: what is not UTF-8 in them becomes U+FFFD, because JSON has no way to hold it.
+/// Returns the text of a report, indented, with a line end at its end. Names of files may have any
+/// bytes. Bytes that are not UTF-8 become U+FFFD, because JSON cannot hold them.
 template <typename Json>
 [[nodiscard]] std::string JsonText(const Json& json) {
   constexpr int kIndent = 2;

@@ -17,7 +17,7 @@ namespace {
 constexpr std::array<std::string_view, 11> kUnits = {
     "radians", "radian", "degrees", "degree", "seconds", "degs", "rads", "deg", "rad", "sec", "s"};
 
-// Letters and digits alone, letters small.
+// Returns the letters and digits of a name, with letters in lower case.
 std::string Plain(std::string_view name) {
   std::string plain;
   for (const char c : name) {
@@ -30,7 +30,7 @@ std::string Plain(std::string_view name) {
   return plain;
 }
 
-// A plain name without the unit that it ends in.
+// Returns a plain name without the unit that it ends in.
 std::string_view Stem(std::string_view plain) {
   for (const std::string_view unit : kUnits) {
     if (plain.size() > unit.size() && plain.ends_with(unit)) {
@@ -40,7 +40,7 @@ std::string_view Stem(std::string_view plain) {
   return plain;
 }
 
-// The least number of letters that are wrong, missing, too much or exchanged with a neighbour
+// Returns the least number of letters that are wrong, missing, extra or exchanged with a neighbour
 // (optimal string alignment).
 std::size_t SlipsBetween(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before_last(b.size() + 1);
@@ -62,10 +62,10 @@ std::size_t SlipsBetween(std::string_view a, std::string_view b) {
   return last[b.size()];
 }
 
-// Longer words than any that is known are no slips, and need not be compared letter by letter.
+// Words longer than this are longer than any known word. They are no slips and are not compared.
 constexpr std::size_t kLongestWord = 64;
 
-// How far a plain typed word is from a plain known one; nothing if it is no slip of it.
+// Returns the distance of a plain typed word from a plain known one; nothing if it is no slip.
 std::optional<std::size_t> DistanceOfSlip(std::string_view typed, std::string_view known) {
   constexpr std::size_t kShortestBeginning = 2;
   constexpr std::size_t kLettersForTwoSlips = 8;
@@ -79,7 +79,7 @@ std::optional<std::size_t> DistanceOfSlip(std::string_view typed, std::string_vi
   }
   const bool is_beginning =
       known.starts_with(typed) || (known.size() >= kShortestBeginning && typed.starts_with(known));
-  // Farther than any slip: of two words that begin so, none is nearer.
+  // A beginning counts as farther than any slip. Two words with one beginning are equally far.
   return is_beginning ? std::optional(kLongestWord) : std::nullopt;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// Names that are nearly others: slips of who types them.
+/// Names that differ from known ones by a typing mistake.
 #pragma once
 
 #include <cstddef>
@@ -16,26 +16,29 @@ namespace girdle {
 /// `axialrotation` for `Axial rotation (deg)`.
 [[nodiscard]] std::string PlainStem(std::string_view name);
 
-/// Shortest word, in letters, of which a slip is still told from another word.
+/// Letters of the shortest word whose typing mistakes can be told from other words.
 inline constexpr std::size_t kShortestToSlip = 5;
 
-/// Returns whether at most one letter of a word is missing, too much or wrong, or two neighbours
-/// are exchanged.
+/// Returns whether the words differ by at most one letter that is missing, extra or wrong, or by
+/// two neighbouring letters that are exchanged.
 [[nodiscard]] bool IsOneSlipAway(std::string_view a, std::string_view b);
 
-/// Returns whether `name` is nearly `known`, the name of a column such as `axial_deg`, and not
-/// `known` itself. Capital letters and characters between words do not matter. It is nearly so if
+/// Returns whether `name` is nearly `known`, the name of a column such as `axial_deg`, but not
+/// equal to it. Capital letters and characters between words do not matter. A name is nearly
+/// `known` if
 ///
-/// - it has the same stem and another unit or none: `axial`, `axial_rad`, `Axial (deg)`, `axials`;
-/// - or it is one slip away from a name of `kShortestToSlip` letters and more: `plan_deg`.
+/// - it has the same stem as `known` but another unit or none: `axial`, `axial_rad`, `Axial (deg)`,
+///   `axials`;
+/// - or it is one slip away from a name of `kShortestToSlip` or more letters: `plan_deg`.
 [[nodiscard]] bool IsNearly(std::string_view name, std::string_view known);
 
 /// Returns the word of `words` that `typed` is a slip of. Capital letters and characters between
 /// letters do not matter.
 ///
-/// A word counts as a slip if one letter is wrong, missing, too much or exchanged with its
-/// neighbour; two letters in words of eight letters and more; or if one of the two begins with the
-/// other. Returns nothing if no word is that near, or if two words are equally near.
+/// A word counts as a slip if one letter is wrong, missing, extra or exchanged with its neighbour.
+/// In words of eight or more letters, two such letters are allowed. A word also counts if one of
+/// the two begins with the other. Returns nothing if no word is near enough, or if two words are
+/// equally near.
 [[nodiscard]] std::optional<std::string_view> NearestWord(std::string_view typed,
                                                           std::span<const std::string_view> words);
 

@@ -17,16 +17,17 @@
 namespace girdle {
 namespace {
 
-// Longest shortest-form double: sign, 17 digits, point, exponent of five characters.
+// Bytes of the longest double in its shortest form: sign, 17 digits, point, exponent of five
+// characters.
 constexpr std::size_t kLongestNumber = 32;
-// The largest double in fixed notation has 309 digits before the point; decimals come on top.
+// The largest double in fixed notation has 309 digits before the point, and decimals after it.
 constexpr std::size_t kLongestFixedNumber = 400;
 
 constexpr double kFastBelow = 1000;
-// Sign, three digits, point and decimals.
+// Bytes of a sign, three digits, a point and decimals.
 constexpr std::size_t kLongestRounded = 1 + 3 + 1 + kMostFastDecimals;
 
-// base^0, base^1, ... base^kMostFastDecimals.
+// Returns base^0, base^1, ... base^kMostFastDecimals.
 constexpr auto PowersOf(std::uint64_t base) {
   std::array<std::uint64_t, kMostFastDecimals + 1> powers{1};
   for (std::size_t i = 1; i < powers.size(); ++i) {
@@ -37,12 +38,12 @@ constexpr auto PowersOf(std::uint64_t base) {
 constexpr auto kPowersOfFive = PowersOf(5);
 constexpr auto kPowersOfTen = PowersOf(10);
 
-// Returns |value| 10^d rounded to a whole number, halves to the even one, for |value| < 1000 and
+// Returns |value| 10^d rounded to a whole number, halves to the even number, for |value| < 1000 and
 // d from 0 to 12.
 //
 //   |value| = m 2^e   =>   |value| 10^d = m 5^d 2^(e + d)
 //
-// in whole numbers throughout: m 5^d has 81 bits at most, and e + d is negative.
+// All steps use whole numbers: m 5^d has at most 81 bits, and e + d is negative.
 std::uint64_t RoundedUnits(double value, int d) {
   using Uint128 = unsigned __int128;
   constexpr int kFractionBits = std::numeric_limits<double>::digits - 1;
@@ -52,13 +53,14 @@ std::uint64_t RoundedUnits(double value, int d) {
 
   const auto bits = std::bit_cast<std::uint64_t>(std::abs(value));
   const int shift = kExponentBias - d - static_cast<int>(bits >> kFractionBits);
-  // Below half a unit. All numbers without a hidden bit are.
+  // The number is below half a unit. All numbers without a hidden bit are.
   if (shift > kProductBits) {
     return 0;
   }
   const Uint128 product =
       Uint128{(bits & (kHiddenBit - 1)) | kHiddenBit} * kPowersOfFive[static_cast<std::size_t>(d)];
-  // Just under one half more, and one half where the digit would be odd: what is left falls down.
+  // Adds just under one half, or exactly one half if the digit is odd. The shift then cuts off the
+  // rest.
   const Uint128 under_half = (Uint128{1} << (shift - 1)) - 1;
   const Uint128 odd = (product >> shift) & 1;
   return static_cast<std::uint64_t>((product + under_half + odd) >> shift);
@@ -85,17 +87,19 @@ char* WriteSixDigits(char* out, std::uint32_t number) {
   return WritePair(out, number % 100);
 }
 
-// Writes a number below 1000 without leading zeros; up to two characters behind it may change.
+// Writes a number below 1000 without leading zeros. Up to two characters behind it may be
+// overwritten.
 char* WriteWhole(char* out, std::uint32_t number) {
   std::array<char, 5> digits{static_cast<char>('0' + number / 100)};
   WritePair(&digits[1], number % 100);
-  // How many digits there are is as good as random: no branch.
+  // The number of digits is nearly random, so a branch would be slow.
   const std::size_t zeros = (number < 10 ? 1U : 0U) + (number < 100 ? 1U : 0U);
   std::memcpy(out, &digits[zeros], 3);
   return out + 3 - zeros;
 }
 
-// Whether a number in decimals is zero as it stands, and not only for want of range.
+// Whether all digits of a number are zero. If not, a value of 0 means that it is too small for a
+// double.
 bool IsZero(std::string_view number) {
   const std::string_view digits = number.substr(0, number.find_first_of("eE"));
   return std::all_of(digits.begin(), digits.end(),
@@ -108,7 +112,7 @@ std::optional<double> FiniteNumber(std::string_view text) noexcept {
   if (text.size() > 1 && text.front() == '+' && text[1] != '-' && text[1] != '+') {
     text.remove_prefix(1);
   }
-  // In place of std::from_chars, which Clang's own library lacks for double before version 20.
+  // Used in place of std::from_chars, which Clang's own library lacks for double before version 20.
   double value = 0;
   const auto [end, error] = fast_float::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value) ||
@@ -142,7 +146,7 @@ void AppendRounded(std::string& text, double value, int decimals) {
   const std::uint64_t units = is_fast ? RoundedUnits(value, decimals) : 0;
   const std::uint64_t units_per_one =
       is_fast ? kPowersOfTen[static_cast<std::size_t>(decimals)] : 1;
-  // A number just below 1000 may be rounded up to it.
+  // A number just below 1000 may be rounded up to 1000.
   if (!is_fast || units >= static_cast<std::uint64_t>(kFastBelow) * units_per_one) {
     text += RoundedText(value, decimals);
     return;

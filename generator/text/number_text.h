@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// Numbers as text: strict reading, writing as short as round-trips or rounded; all independent of
-/// the locale.
+/// Numbers as text: strict reading, and writing that is as short as possible or rounded. The locale
+/// has no effect.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,8 @@
 
 namespace girdle {
 
-/// Returns the finite number that is the whole of `text`, or nothing: `4O`, `nan`, `inf`, an empty
-/// text, blanks and anything behind the number are refused. A leading `+` is allowed.
+/// Returns the finite number that is the whole of `text`, or nothing. `4O`, `nan`, `inf`, an empty
+/// text, blanks, and anything after the number are refused. A leading `+` is allowed.
 [[nodiscard]] std::optional<double> FiniteNumber(std::string_view text) noexcept;
 
 /// Appends the shortest decimals that read back as exactly `value`.
@@ -22,15 +22,15 @@ void AppendNumber(std::string& text, double value);
 /// Returns the shortest decimals that read back as exactly `value`.
 [[nodiscard]] std::string NumberText(double value);
 
-/// Returns `value` rounded to `digits` significant ones, as short as that allows.
+/// Returns `value` rounded to `digits` significant digits, in the shortest form.
 [[nodiscard]] std::string SignificantText(double value, int digits);
 
 /// Most decimals that AppendRounded writes fast.
 inline constexpr int kMostFastDecimals = 12;
 
-/// Appends `value` rounded to `decimals` places, halves to the even digit, in fixed notation
-/// without trailing zeros and without a sign before zero. The text is that of RoundedText; it takes
-/// about a tenth of the time where |value| < 1000 and `decimals` is at most kMostFastDecimals.
+/// Appends `value` rounded to `decimals` places in fixed notation. Halves are rounded to the even
+/// digit. Trailing zeros and a sign before zero are left out. The text is that of RoundedText; for
+/// |value| < 1000 and `decimals` up to kMostFastDecimals it takes about a tenth of the time.
 void AppendRounded(std::string& text, double value, int decimals);
 
 /// Returns `value` rounded to `decimals` places, without trailing zeros; for tables that people

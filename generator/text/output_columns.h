@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// Columns of CSV files that are written, declared in one table: names, units, and how values are
-/// computed.
+/// Columns of CSV files that are written, declared in one table: names, units, and formulas.
 ///
-/// Each line of a table declares columns that are alike. Of rows that are `Step`s, the columns
-/// `time_s`, `x_m` and `y_m`:
+/// Each line of a table declares one or more columns of one kind. For rows of type `Step`, this
+/// table gives the columns `time_s`, `x_m` and `y_m`:
 ///
 ///     constexpr std::array<OutputColumns<Step, Options>, 2> kColumns = {{
 ///         {TimeStem, kSeconds, [](const Step& step, std::size_t) -> Cell { return step.time_s; }},
@@ -13,8 +12,8 @@
 ///         }},
 ///     }};
 ///
-/// with functions that return {"time"} and {"x", "y"}. WrittenColumns makes the header and the rows
-/// of an output.
+/// The functions TimeStem and AxisStems return {"time"} and {"x", "y"}. WrittenColumns makes the
+/// header and the rows of an output from the table.
 #pragma once
 
 #include <array>
@@ -35,24 +34,24 @@ inline constexpr std::string_view kRadians = "rad";
 inline constexpr std::string_view kMeters = "m";
 inline constexpr std::string_view kMillimeters = "mm";
 
-/// Returns the name of a column: `distance_deg` for the stem `distance` and the unit `deg`, and the
-/// stem alone without a unit.
+/// Returns the name of a column: `distance_deg` for the stem `distance` and the unit `deg`. Without
+/// a unit, the name is the stem.
 [[nodiscard]] std::string ColumnName(std::string_view stem, std::string_view unit);
 
-/// What stands in one column of a row: a number in the column's unit, or a word.
+/// Content of one column of a row: a number in the column's unit, or a word.
 using Cell = std::variant<double, std::string_view>;
 
-/// Columns that are alike, one beside the other.
+/// Columns of one kind, one beside the other.
 template <typename Row, typename Options>
 struct OutputColumns {
-  /// Returns the stems of their names, as many as there are columns: none for an output without.
+  /// Returns the stems of the columns' names. Empty if the output does not have these columns.
   std::vector<std::string> (*stems)(const Options& options);
   std::string_view unit;
-  /// Returns what stands in the k-th of them, from 0.
+  /// Returns the content of the k-th of these columns, from 0.
   Cell (*value)(const Row& row, std::size_t k);
 };
 
-/// Writes numbers as short as they read back exactly.
+/// Writes each number with the fewest digits that read back as exactly that number.
 struct ExactNumbers {
   void operator()(std::string& text, double number) const { AppendNumber(text, number); }
 };
@@ -91,7 +90,7 @@ class WrittenColumns {
     return text;
   }
 
-  /// Appends what stands in a row, with commas between.
+  /// Appends the content of a row, with commas between the columns.
   void Append(std::string& text, const Row& row) const {
     bool is_first = true;
     for (const Value& value : values_) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// Where text and progress go as they are made.
+/// Functions that receive text and progress while they are made.
 #pragma once
 
 #include <functional>
@@ -11,7 +11,7 @@ namespace girdle {
 
 /// Receives text as it is made.
 using TextSink = std::function<void(std::string_view)>;
-/// Told how much is done, 0 to 1.
+/// Receives the share of the work that is done, 0 to 1.
 using ProgressSink = std::function<void(double)>;
 
 }  // namespace girdle

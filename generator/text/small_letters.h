@@ -9,7 +9,7 @@
 
 namespace girdle {
 
-/// Returns `text` with A to Z as a to z, whatever the locale; all else stays.
+/// Returns `text` with A to Z replaced by a to z, whatever the locale. All other bytes stay.
 [[nodiscard]] std::string InSmallLetters(std::string_view text);
 
 }  // namespace girdle

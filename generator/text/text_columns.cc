@@ -42,7 +42,7 @@ std::string ColumnsText(const std::vector<std::vector<std::string>>& rows,
 
 namespace {
 
-// One line, broken where it is too long. `column` is where it begins.
+// Returns one line with breaks where it is too long. `column` is the column where it begins.
 std::string WrappedLine(const std::string& line, std::size_t width, std::size_t indent,
                         std::size_t column) {
   std::istringstream words(line);
@@ -103,7 +103,7 @@ std::string LabelledText(const std::string& label, const std::string& text, std:
   if (line.size() > label_width || line.back() != ' ') {
     line += "\n" + std::string(label_width, ' ');
   }
-  // The first line begins in the text's column as all others do.
+  // The first line begins in the text's column, as all others do.
   const std::string wrapped = WrappedText(text, width - std::min(width, label_width));
   std::istringstream lines(wrapped);
   bool is_first = true;

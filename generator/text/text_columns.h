@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// Columns of text, for reports that people read. Widths are in bytes, and so right for ASCII.
+/// Columns of text, for reports that people read. Widths count bytes, which is right for ASCII.
 #pragma once
 
 #include <cstddef>
@@ -10,18 +10,18 @@
 
 namespace girdle {
 
-/// Returns `text` with blanks behind it up to `width`; a longer text as it is.
+/// Returns `text` with blanks after it up to `width`. A longer text is returned unchanged.
 [[nodiscard]] std::string AlignedLeft(std::string text, std::size_t width);
 
-/// Returns `text` with blanks before it up to `width`; a longer text as it is.
+/// Returns `text` with blanks before it up to `width`. A longer text is returned unchanged.
 [[nodiscard]] std::string AlignedRight(const std::string& text, std::size_t width);
 
 enum class Alignment { kLeft, kRight };
 
-/// Returns `rows` below each other, a line each, columns as wide as their widest text and two
-/// blanks apart; no line ends in blanks. Columns beyond the last of `alignments` are aligned as the
-/// last. Precondition: all rows have as many texts as the first, and there is one alignment or
-/// more.
+/// Returns `rows` as lines. Each column is as wide as its widest text, columns are two blanks
+/// apart, and no line ends in blanks. Columns beyond the last of `alignments` are aligned as the
+/// last. Precondition: all rows have as many texts as the first, and there is at least one
+/// alignment.
 [[nodiscard]] std::string ColumnsText(const std::vector<std::vector<std::string>>& rows,
                                       const std::vector<Alignment>& alignments);
 
@@ -33,8 +33,8 @@ enum class Alignment { kLeft, kRight };
                                       std::size_t indent = 0);
 
 /// Returns two columns: `label`, with `indent` blanks before it and padded up to column
-/// `label_width`, and `text`, wrapped at `width`. A longer label stands on a line of its own. Ends
-/// in a line end.
+/// `label_width`, and `text`, wrapped at `width`. A longer label has a line of its own. The result
+/// ends in a line end.
 [[nodiscard]] std::string LabelledText(const std::string& label, const std::string& text,
                                        std::size_t indent, std::size_t label_width,
                                        std::size_t width);

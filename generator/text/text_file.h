@@ -9,7 +9,8 @@
 
 namespace girdle {
 
-/// Returns an open file. Throws InputError if there is none, it is a folder or must not be read.
+/// Returns an open file. Throws InputError if the file does not exist, is a folder or is not
+/// readable.
 [[nodiscard]] std::ifstream OpenTextFile(const std::string& path);
 
 }  // namespace girdle

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// How a text for people is to be written: how wide, and whether in colour.
+/// Width and colours of a text for people.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@ struct TextStyle {
 /// Colours of a terminal (ECMA-48, "select graphic rendition").
 enum class Colour { kRed = 31, kGreen = 32 };
 
-/// Returns `text` in a colour, or as it is where the style has none.
+/// Returns `text` in a colour, or unchanged if the style has no colours.
 [[nodiscard]] inline std::string Coloured(std::string_view text, Colour colour,
                                           const TextStyle& style) {
   if (!style.has_colour) {
