@@ -40,8 +40,8 @@ inline constexpr std::array<BodyMeasure, 5> kBodyMeasures = {{
      "GH to the middle of the epicondyles"},
     {"body-mass", &BodySize::body_mass_kg, 5, 650, "kg", "71", "Every segment has its share of it"},
     {"stature", &BodySize::stature_m, 0.5, 2.8, "m", "1.71",
-     "Every length has its share of it, but for those that are given; with --anatomy, the height "
-     "above the floor alone"},
+     "Height of the person; every length grows with it, except those that are given; with "
+     "--anatomy it sets only the height above the floor"},
 }};
 
 /// Throws std::invalid_argument at the first measure beyond its limits. The message says what to

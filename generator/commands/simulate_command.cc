@@ -27,6 +27,7 @@
 #include "text/input_error.h"
 #include "text/json_text.h"
 #include "text/number_text.h"
+#include "text/small_letters.h"
 
 namespace girdle {
 namespace {
@@ -113,13 +114,17 @@ MotionRequest Requested(const SimulateArguments& arguments) {
   }
   ExpectNoUnit(arguments.angles);
   const std::string& raise = *arguments.elevation;
-  const std::size_t colon = std::min(raise.find(':'), raise.size());
+  if (raise.find(':') == std::string::npos) {
+    throw InputError("--elevation " + raise +
+                     ": a motion goes from one elevation to another. Give both, such as "
+                     "--elevation 0:90");
+  }
+  const std::size_t colon = raise.find(':');
   const double plane_rad =
       RadiansFromDegrees(PlaneArgument_deg("--plane", arguments.plane.value_or("0")));
   ReachingRequest reaching;
   reaching.from = {RaiseElevation(arguments, raise.substr(0, colon)), plane_rad, 0};
-  reaching.to = {RaiseElevation(arguments, raise.substr(std::min(colon + 1, raise.size()))),
-                 plane_rad, 0};
+  reaching.to = {RaiseElevation(arguments, raise.substr(colon + 1)), plane_rad, 0};
   reaching.duration_s = NumberArgument("--seconds", arguments.seconds.value_or("2"));
   if (reaching.duration_s <= 0 || reaching.duration_s > longest_s) {
     throw InputError("--seconds " + arguments.seconds.value_or("2") +
@@ -141,6 +146,13 @@ PictureRequest RequestedPictures(const SimulateArguments& arguments) {
   if (arguments.video.empty() && !arguments.frames_per_s.empty()) {
     throw InputError("--fps " + arguments.frames_per_s +
                      ": there is no video. Give --out-video FILE.mp4, or leave --fps away");
+  }
+  for (const char* const suffix : {".mp4", ".png"}) {
+    if (InSmallLetters(arguments.out).ends_with(suffix)) {
+      throw InputError(
+          "--out " + arguments.out +
+          ": the output is a CSV. Give --out-picture FILE.png or --out-video FILE.mp4");
+    }
   }
   PictureRequest pictures;
   pictures.view = ChosenView(arguments.view);

@@ -81,7 +81,7 @@ std::vector<std::string> Provenance(const std::string& source, const SmoothingOp
       "#   least; t_i is the third difference of r_i .. r_i+3 on the rotation group, in row steps. "
       "lambda = ";
   std::vector<std::string> lines = {
-      "# De-stepped: " + source + " without the steps of its means where people drop out.",
+      "# Smoothed: " + source + " without the steps of its means where people drop out.",
       "# Method: in place of the source's rotations q_i, per joint and plane, the r_i that make",
       "#     sum |log(q_i^-1 r_i)|^2 + lambda sum p_i |t_i|^2",
       least + lambda + ".",

@@ -125,7 +125,7 @@ void AddVerifyCommand(CLI::App& program, int& status) {
           "--girdle", arguments->girdle,
           "Motion on which the skin of a model that has one is measured: measured (default), "
           "or frozen (clavicle and scapula stay where the skin was bound, the arm turns in "
-          "GH alone), which has to fail")
+          "GH alone); the residuals of the skin then fail")
       ->type_name("WORD");
   auto mapped = std::make_optional<OptionGroup>(*verb, "A model that is not Girdle's");
   verb->add_option("--mapping", arguments->mapping,

@@ -38,6 +38,10 @@ TableChoice TableFromWordOrFile(const std::string& text) {
       throw InputError("--table " + text + ": there is no such file. Did you mean the table " +
                        std::string(*meant) + "?");
     }
+    if (text.find_first_of("./") == std::string::npos) {
+      throw InputError("--table " + text +
+                       ": there is no such file. The built-in tables are measured and smoothed");
+    }
   }
   std::ifstream in = OpenTextFile(text);
   return ReadTable{ReadRhythmTable(in, text), text};

@@ -87,15 +87,15 @@ def rows_of(text: str) -> dict[str, dict[str, str]]:
     rows = {}
     for line in lines[top + 1 : lines.index("", top)]:
         found = re.fullmatch(
-            r"(?P<kind>\S+(?: \S+)*?)  +(?P<worst>\S+)  (?P<tolerance>(?:> )?\S+) (?P<unit>\S.*?)"
-            r"  +(?P<checked>\d+)(?:  (?P<where>.*))?",
+            r"(?P<kind>\S+(?: \S+)*?)  +(?P<worst>\S+ \S.*?)  (?P<tolerance>(?:<= |> |no )\S+)"
+            r"  +(?P<checked>\d+)(?:, (?P<failed>\d+) FAIL)?(?:  +(?P<where>.*))?",
             line,
         )
         assert found, line
         # Numbers end where their heading ends, words begin where it begins.
         assert found.end("worst") == heading.index("worst") + len("worst"), line
         assert found.start("tolerance") == heading.index("tolerance"), line
-        assert found.end("checked") == heading.index("checked") + len("checked"), line
+        assert found.start("checked") == heading.index("checked"), line
         rows[found["kind"]] = {name: text or "" for name, text in found.groupdict().items()}
     return rows
 
@@ -108,12 +108,18 @@ def share(residual: Residual) -> float:
     return tolerance / value if value > 0 else float("inf")
 
 
-def tolerance_text(residual: Residual) -> tuple[str, str]:
-    """Tolerance and unit of a row of the table."""
+def tolerance_text(residual: Residual) -> str:
+    """What a row of the full report has as tolerance."""
     if residual["tolerance"] is None:
-        return "none,", residual["unit"]
-    bound = "" if residual["bound"] == "at most" else "> "
-    return bound + written(residual["tolerance"]), residual["unit"]
+        return "-"
+    return ("" if residual["bound"] == "at most" else "> ") + written(residual["tolerance"])
+
+
+def limit_text(residual: Residual) -> str:
+    """What a row of the summary's table has as tolerance."""
+    if residual["tolerance"] is None:
+        return "no limit"
+    return ("<= " if residual["bound"] == "at most" else "> ") + written(residual["tolerance"])
 
 
 def place_text(where: str) -> str:
@@ -121,19 +127,32 @@ def place_text(where: str) -> str:
     return re.sub(r",? ?elevation (.+?), plane ", r" \1/", where).strip()
 
 
+def places_of(where: str, *, wide: bool) -> set[str]:
+    """How a place may stand in the table: whole, or where there is no room its direction alone."""
+    whole = place_text(where)
+    return {whole} if wide else {whole.rsplit(" ", 1)[-1] if whole != where else ""}
+
+
 def expect_worst(rows: dict[str, dict[str, str]], residuals: list[Residual]) -> None:
     """Each row is the residual that comes nearest to its tolerance, or exceeds it most."""
     kinds = list(dict.fromkeys(residual["group"] for residual in residuals))
     assert list(rows) == kinds
+    # All places are whole, or none is.
+    wide = any(" " in row["where"] for row in rows.values())
     for kind, row in rows.items():
         of_kind = [residual for residual in residuals if residual["group"] == kind]
         with_tolerance = checked(of_kind)
         assert row["checked"] == str(len(with_tolerance)), kind
+        assert row["failed"] == (str(len(failed(of_kind))) if failed(of_kind) else ""), kind
         worst = max(map(share, with_tolerance), default=0)
         # Several are equally bad where they are 0, or worse than any number can tell.
         shown = [r for r in with_tolerance if share(r) == worst] or of_kind[:1]
-        expected = {(written(r["value"]), *tolerance_text(r), place_text(r["where"])) for r in shown}
-        assert (row["worst"], row["tolerance"], row["unit"], row["where"]) in expected, kind
+        expected = {
+            (f"{written(r['value'])} {r['unit']}", limit_text(r), place)
+            for r in shown
+            for place in places_of(r["where"], wide=wide)
+        }
+        assert (row["worst"], row["tolerance"], row["where"]) in expected, kind
 
 
 # --- Sound models --------------------------------------------------------------------------------
@@ -158,6 +177,19 @@ def test_the_summary_of_a_sound_model_says_what_its_json_says(
     assert lines[-2] == (f"girdle verify --full shows every residual. {stated} values have no tolerance.")
 
 
+@pytest.mark.parametrize("stature", ["1.6", "1.9"])
+def test_the_summary_of_a_generated_model_cuts_nothing(
+    girdle_fine: Girdle, shared: SharedResults, stature: str
+) -> None:
+    """Bones of its own, on both sides: the longest places."""
+    made = shared.generate("--side", "both", "--stature", stature)
+    text = girdle_fine("verify", made.scene).text
+    assert [line for line in text.splitlines()[1:] if len(line) > PIPED_COLUMNS] == []
+    assert "bones of its own" in text
+    assert "..." not in "".join(text.splitlines(keepends=True)[1:])
+    expect_worst(rows_of(text), shared.verify(made.scene).answer["residuals"])
+
+
 # --- Models that fail ----------------------------------------------------------------------------
 
 
@@ -169,7 +201,7 @@ def summary_of_failing(girdle: Girdle, scene: Path, options: tuple[str, ...]) ->
 
 def failures_of(text: str) -> list[str]:
     """Each failure in one line, however many it takes in the summary."""
-    blocks = re.findall(r"^FAIL +.*(?:\n      .*)*", text, re.MULTILINE)
+    blocks = re.findall(r"^FAIL +.*(?:\n     .*)*", text, re.MULTILINE)
     return [" ".join(block.split()) for block in blocks]
 
 
@@ -212,6 +244,7 @@ def test_a_model_of_another_person_is_told_apart_from_a_broken_one(
     text = summary_of_failing(girdle, TREE, ("--stature", "1.85")).text
     assert remark in " ".join(text.split())
     assert remark in girdle("verify", TREE, "--stature", "1.85", "--full").text.splitlines()
+    assert "bones as given" in text
 
 
 # --- All residuals -------------------------------------------------------------------------------
@@ -235,7 +268,7 @@ def test_the_full_report_has_one_line_a_residual_in_a_pipe(
             residual["group"],
             residual["item"],
             written(residual["value"]),
-            "".join(tolerance_text(residual)[:1]) if residual["tolerance"] is not None else "-",
+            tolerance_text(residual),
             residual["unit"],
             result_of(residual),
             *filter(None, [residual["where"]]),
@@ -327,7 +360,9 @@ def test_a_terminal_that_wants_no_colour_gets_none(
 def test_there_is_no_colour_in_a_pipe(
     girdle: Girdle, form: tuple[str, ...], options: tuple[str, ...]
 ) -> None:
-    assert ESCAPE not in girdle("verify", TREE, *form, *options).text
+    text = girdle("verify", TREE, *form, *options).text
+    assert text.endswith(("tolerances\n", "tolerance\n"))
+    assert ESCAPE not in text
 
 
 def test_a_summary_that_goes_to_a_file_has_no_colour_though_messages_go_to_a_terminal(

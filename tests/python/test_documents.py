@@ -109,6 +109,14 @@ item   value      unit
 first  2.37       deg
 second  1.2e-13   mm
 third  5          mm
+
+kind           worst  tolerance  checked  at elevation/plane
+closure  1.5e-09 deg  <= 1e-06   2        flexion 0/90
+range       64.8 deg  no limit   0        grid 62.5/-95
+
+residual  of        value  tolerance  unit  result  where
+tracking  SC        0.639          3  deg   pass    flexion, elevation 116.7, plane 90
+closure   plane  1.75e-09      1e-06  deg   pass    flexion, elevation 0, plane 90
 """
 
 
@@ -119,8 +127,13 @@ third  5          mm
         "first  2.37   deg\n...\nthird   5   mm",
         "...\nitem   value   unit\n...",
         "first  2.37       deg\nsecond  3.4e-14   mm",
+        "closure  0 deg  <= 1e-06   2        grid 1/2\nrange  64.8 deg  no limit  0  grid 62.5/-95",
+        "closure   plane  0      1e-06  deg   pass    abduction, elevation 5, plane 0",
     ],
-    ids=["from the start", "with a line left out", "from the middle", "with another rounding"],
+    ids=[
+        *("from the start", "with a line left out", "from the middle", "with another rounding"),
+        *("a summary with another rounding", "a report with another rounding"),
+    ],
 )
 def test_an_excerpt_of_what_is_printed_is_found(shown: str) -> None:
     assert first_difference(shown, PRINTED) == ""
@@ -133,8 +146,14 @@ def test_an_excerpt_of_what_is_printed_is_found(shown: str) -> None:
         ("first  2.37       deg\nthird  5          mm", "third  5          mm"),
         ("third  5          mm\n...\nfirst  2.37       deg", "first  2.37       deg"),
         ("model  a.xml\nfourth 4          mm", "fourth 4          mm"),
+        ("range  64.8 deg  no limit  0  grid 1/2", "range  64.8 deg  no limit  0  grid 1/2"),
+        ("closure  1e-05 deg  <= 1e-06  2  flexion 0/90", "closure  1e-05 deg  <= 1e-06  2  flexion 0/90"),
+        ("tracking  SC  0.639  3  deg  pass  abduction", "tracking  SC  0.639  3  deg  pass  abduction"),
     ],
-    ids=["another value", "a line left out in silence", "another order", "a line of its own"],
+    ids=[
+        *("another value", "a line left out in silence", "another order", "a line of its own"),
+        *("another place in the summary", "a value that is not rounding", "another place"),
+    ],
 )
 def test_what_is_not_printed_so_is_named(shown: str, wrong: str) -> None:
     assert first_difference(shown, PRINTED) == wrong
