@@ -65,7 +65,7 @@ std::string NarrowTable(const ResidualReport& report, const TextStyle& style) {
                                      : item + "\n" + std::string(item_width, ' ');
     text += "  " + line + "\n";
     if (!residual.where.empty()) {
-      text += std::string(3 * kIndent, ' ') + residual.where + "\n";
+      text += LabelledText("", residual.where, 0, 3 * kIndent, style.width);
     }
   }
   return text;

@@ -96,11 +96,12 @@ INSTANTIATE_TEST_SUITE_P(
                 "t.csv:1: column 'y_m' is missing. The header has: landmark, segment, x_m, z_m"},
         CsvFlaw{"unknown column", [](CsvText& text) { text.AddColumn("note", ""); },
                 "t.csv:1: column 'note' is not known. Remove it or correct its name"},
-        CsvFlaw{"unknown row",
-                [](CsvText& text) {
-                  text.rows.push_back({"XX", "scapula", "0", "0", "0"});
-                },
-                "t.csv:17: 'XX' is not known"},
+        CsvFlaw{
+            "unknown row",
+            [](CsvText& text) {
+              text.rows.push_back({"XX", "scapula", "0", "0", "0"});
+            },
+            "t.csv:17: 'XX' is not known. Did you mean 'PX'? Correct the name or remove the row"},
         CsvFlaw{"row twice", [](CsvText& text) { text.rows.push_back(text.rows[6]); },
                 "t.csv:17: 'TS' stands twice. Remove one of the rows"},
         CsvFlaw{"missing row", [](CsvText& text) { text.RemoveRow(12); },
@@ -181,7 +182,7 @@ INSTANTIATE_TEST_SUITE_P(
         CsvFlaw{"unknown column", [](CsvText& text) { text.AddColumn("ixy_kg_m2", "0"); },
                 "t.csv:1: column 'ixy_kg_m2' is not known. Remove it or correct its name"},
         CsvFlaw{"unknown row", [](CsvText& text) { text.Cell(3, "segment") = "forearm"; },
-                "t.csv:5: 'forearm' is not known"},
+                "t.csv:5: 'forearm' is not known. Correct the name or remove the row"},
         CsvFlaw{"row twice", [](CsvText& text) { text.rows.push_back(text.rows[0]); },
                 "t.csv:6: 'thorax' stands twice. Remove one of the rows"},
         CsvFlaw{"missing row", [](CsvText& text) { text.RemoveRow(1); },
@@ -242,7 +243,8 @@ INSTANTIATE_TEST_SUITE_P(
         CsvFlaw{"unknown column", [](CsvText& text) { text.AddColumn("note", ""); },
                 "t.csv:1: column 'note' is not known. Remove it or correct its name"},
         CsvFlaw{"unknown row", [](CsvText& text) { text.Cell(8, "coordinate") = "gh_rotation"; },
-                "t.csv:10: 'gh_rotation' is not known"},
+                "t.csv:10: 'gh_rotation' is not known. Did you mean 'sc_rotation'? Correct the "
+                "name or remove the row"},
         CsvFlaw{"row twice", [](CsvText& text) { text.rows.push_back(text.rows[4]); },
                 "t.csv:14: 'ac_upward_rotation' stands twice. Remove one of the rows"},
         CsvFlaw{"missing row", [](CsvText& text) { text.RemoveRow(0); },
@@ -293,7 +295,7 @@ INSTANTIATE_TEST_SUITE_P(
         CsvFlaw{"unknown column", [](CsvText& text) { text.AddColumn("turn_deg", "0"); },
                 "t.csv:1: column 'turn_deg' is not known. Remove it or correct its name"},
         CsvFlaw{"unknown row", [](CsvText& text) { text.Cell(1, "ellipsoid") = "skin"; },
-                "t.csv:3: 'skin' is not known"},
+                "t.csv:3: 'skin' is not known. Correct the name or remove the row"},
         CsvFlaw{"row twice", [](CsvText& text) { text.rows.push_back(text.rows[1]); },
                 "t.csv:4: 'gliding' stands twice. Remove one of the rows"},
         CsvFlaw{"missing row", [](CsvText& text) { text.RemoveRow(1); },
@@ -373,7 +375,7 @@ INSTANTIATE_TEST_SUITE_P(
         CsvFlaw{"unknown column", [](CsvText& text) { text.AddColumn("damping", "0"); },
                 "t.csv:1: column 'damping' is not known. Remove it or correct its name"},
         CsvFlaw{"unknown row", [](CsvText& text) { text.Cell(1, "ligament") = "costoclavicular"; },
-                "t.csv:3: 'costoclavicular' is not known"},
+                "t.csv:3: 'costoclavicular' is not known. Correct the name or remove the row"},
         CsvFlaw{"row twice", [](CsvText& text) { text.rows.push_back(text.rows[0]); },
                 "t.csv:4: 'conoid' stands twice. Remove one of the rows"},
         CsvFlaw{"missing row", [](CsvText& text) { text.RemoveRow(1); },

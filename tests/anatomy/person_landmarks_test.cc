@@ -302,7 +302,8 @@ INSTANTIATE_TEST_SUITE_P(
         CsvFlaw{"missing column", [](CsvText& text) { text.RemoveColumn("y_m"); },
                 "t.csv:1: column 'y_m' is missing. The header has: landmark, segment, x_m, z_m"},
         CsvFlaw{"millimeters in the header", [](CsvText& text) { text.columns.at(2) = "x_mm"; },
-                "t.csv:1: column 'x_mm' is not known. Remove it or correct its name"},
+                "t.csv:1: column 'x_mm' is not known. Did you mean 'x_m'? Remove it or correct its "
+                "name"},
         CsvFlaw{"unknown landmark", [](CsvText& text) { text.Cell(8, "landmark") = "AX"; },
                 "t.csv:10: 'AX' is not a landmark. Known are IJ PX C7 T8 SC PAC TS AI AA PC ACJ GC "
                 "GH EM EL, AC for PAC, and HH1 HH2 ... for points of the humeral head"},

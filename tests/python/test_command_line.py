@@ -92,7 +92,7 @@ def test_a_missing_folder_is_named(refuses: Refuses) -> None:
 
 @commands(("simulate", "--elevation", "15:20"), ("verify",))
 def test_a_missing_model_is_named(refuses: Refuses, command: Command) -> None:
-    refuses(*command, because=("model", "--help"))
+    refuses(*command, because=("MODEL is required", f"girdle {command[0]} --help"))
 
 
 # --- Choosing the rhythm -------------------------------------------------------------------------

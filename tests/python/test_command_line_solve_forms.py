@@ -65,9 +65,13 @@ def typed(form: str, pose: tuple[str, ...], *options: str) -> tuple[str, ...]:
     return (*words, "--json") if form == "json" else (*words, *ALL_DIGITS)
 
 
+SINCE = "_since_hanging"
+
+
 def row_of(text: str) -> dict[str, str]:
+    """The row by the names of columns, which say of relative rotations that they are."""
     (row,) = csv.DictReader(io.StringIO(text, newline=""))
-    return row
+    return {name.replace(SINCE, ""): field for name, field in row.items()}
 
 
 def lines_of_numbers(text: str) -> dict[str, list[float]]:
@@ -255,6 +259,23 @@ def test_the_hanging_arm_has_not_turned_since_it_was_hanging(girdle_fine: Girdle
         assert found[name] == pytest.approx([1, 0, 0, 0], rel=0, abs=ROUNDING), name
     angles_deg = angles_in(form, girdle_fine(*command).text)
     assert list(angles_deg.values()) == pytest.approx([0] * 12, rel=0, abs=ROUNDING_DEG)
+
+
+def test_columns_say_that_they_are_relative(girdle_fine: Girdle) -> None:
+    for form, last in (((), "_deg"), (AS_QUATERNIONS, "_qw")):
+        command = typed("csv", POSES["abducted"], *form)
+        absolute = girdle_fine(*command).text.splitlines()[0].split(",")
+        relative = girdle_fine(*command, *SINCE_HANGING).text.splitlines()[0].split(",")
+        assert [name.replace(SINCE, "") for name in relative] == absolute
+        assert f"st_upward_rotation{SINCE}{last}" in relative or f"st{SINCE}{last}" in relative
+        joints = [name for name in absolute if name[:3] in ("sc_", "ac_", "gh_", "st_", "ht_")]
+        assert len([name for name in relative if SINCE in name]) == len(joints) > 10
+        assert not any(SINCE in name for name in absolute)
+
+
+def test_derivatives_are_not_those_of_relative_angles(refuses: Refuses) -> None:
+    because = ("--derivatives", "--relative-to", "Leave one of them away")
+    refuses("solve", "--elevation", "60", "--plane", "40", *SINCE_HANGING, "--derivatives", because=because)
 
 
 def test_an_answer_says_that_it_is_relative(girdle_fine: Girdle) -> None:

@@ -69,11 +69,12 @@ TEST(Summary, ShowsOfEachKindTheResidualNearestToItsTolerance) {
   const std::string text = Summary(PassingReport());
   // AC takes two thirds of its tolerance, SC half, though its value is larger.
   EXPECT_EQ(LineOf(text, "joint constraint"),
-            "joint constraint   0.02  0.03 mm          2  1 Hz 90/-30")
+            "joint constraint   0.02 mm  <= 0.03    2        1 Hz 90/-30")
       << text;
-  EXPECT_EQ(LineOf(text, "skin"), "skin                  9  > 8 mm           1  30 to 120/0")
+  EXPECT_EQ(LineOf(text, "skin"), "skin                  9 mm  > 8        1        30 to 120/0")
       << text;
-  EXPECT_EQ(LineOf(text, "range"), "range              @@ 62.5/-95") << text;
+  EXPECT_EQ(LineOf(text, "range"), "range             64.8 deg  no limit   0        grid 62.5/-95")
+      << text;
 }
 
 TEST(Summary, SaysHowManyValuesHaveNoTolerance) {
@@ -86,14 +87,17 @@ TEST(Summary, ShowsEveryFailureInFull) {
   report.residuals[3].value = std::numeric_limits<double>::quiet_NaN();
   const std::string text = Summary(report);
   EXPECT_NE(text.find("FAIL joint constraint, SC: 2 mm, must be at most 1 mm (abduction, elevation "
-                      "15,\n      plane 0)\n"),
+                      "15,\n     plane 0)\n"),
             std::string::npos)
       << text;
-  EXPECT_NE(text.find("FAIL skin, acromion rises: nan mm, must be more than 8 mm (elevation 30 to "
-                      "120,\n      plane 0)\n"),
-            std::string::npos)
+  EXPECT_NE(
+      text.find("FAIL skin, acromion rises: nan mm, must be more than 8 mm (elevation 30 to 120,\n"
+                "     plane 0)\n"),
+      std::string::npos)
       << text;
-  EXPECT_EQ(LineOf(text, "joint constraint").find("joint constraint      2"), 0U) << text;
+  EXPECT_EQ(
+      LineOf(text, "joint constraint").find("joint constraint      2 mm  <= 1       2, 1 FAIL"), 0U)
+      << text;
 }
 
 TEST(Summary, ShowsTheRemarkOfTheReport) {

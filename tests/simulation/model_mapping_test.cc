@@ -119,7 +119,8 @@ INSTANTIATE_TEST_SUITE_P(
         CsvFlaw{"NoColumnBy", [](CsvText& text) { text.RemoveColumn("by"); },
                 "m.csv:1: column 'by' is missing"},
         CsvFlaw{"UnknownPart", [](CsvText& text) { text.Cell(3, "part") = "TSS"; },
-                "m.csv:5: part 'TSS' is not known. Choose one of: side, arm, thorax,"},
+                "m.csv:5: part 'TSS' is not known. Did you mean 'TS'? Choose one of: side, arm, "
+                "thorax,"},
         CsvFlaw{"NoName", [](CsvText& text) { text.Cell(3, "name") = ""; },
                 "m.csv:5: the row of 'TS' has no name"},
         CsvFlaw{"LandmarkTwice", [](CsvText& text) { text.rows.push_back(text.rows[3]); },
