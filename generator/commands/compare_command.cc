@@ -20,6 +20,7 @@
 #include "rhythms/comparison_report.h"
 #include "rhythms/published_rhythms.h"
 #include "text/input_error.h"
+#include "text/number_text.h"
 
 namespace girdle {
 namespace {

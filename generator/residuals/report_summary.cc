@@ -88,7 +88,7 @@ std::string CountsText(const Kind& kind) {
 enum class PlaceForm { kWhole, kDirection, kNone };
 
 std::string PlaceText(const Residual& residual, PlaceForm form) {
-  const std::string place = ShortPlace(residual.where);
+  std::string place = ShortPlace(residual.where);
   switch (form) {
     case PlaceForm::kWhole:
       return place;

@@ -467,7 +467,7 @@ std::string DifferencesTable(const std::vector<Residual>& lines, const TextStyle
     }
     return ColumnsText(rows, {Alignment::kLeft, Alignment::kRight});
   };
-  const std::string whole = table_of(groups);
+  std::string whole = table_of(groups);
   if (WidestLine(whole) <= style.width) {
     return whole;
   }
