@@ -464,7 +464,8 @@ VerifyResult Verify(const std::string& model_path, const std::string& plugin,
       KindOf(simulation) + (girdle == GirdleMotion::kFrozen ? ", skin of a frozen girdle" : "");
   report.remark = AnatomyRemark(said_anatomy, own_anatomy);
   if (!IsSame(anatomy, BuiltInAnatomy())) {
-    report.kind += said_anatomy ? ", bones as given" : ", bones of its own";
+    const bool are_own = own_anatomy && IsSame(anatomy, *own_anatomy);
+    report.kind += are_own ? ", bones of its own" : ", bones as given";
   }
   report.residuals.insert(report.residuals.begin(),
                           TimestepResidual(simulation.model().opt, simulation.elements().assembly));
