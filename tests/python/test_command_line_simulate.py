@@ -268,9 +268,9 @@ def test_without_a_trace_no_file_is_written(girdle_fine: Girdle, scene: Path, tm
 NO_MOTIONS: list[tuple[tuple[str, ...], tuple[str, ...]]] = [
     ((), ("--elevation FROM:TO", "--in FILE")),
     (("--elevation", "15:120", "--in", "motion.csv"), ("--elevation FROM:TO", "--in FILE")),
-    (("--elevation", "15"), ("--elevation '15'", "15:120")),
+    (("--elevation", "15"), ("--elevation 15: a motion goes from one elevation", "0:90")),
     (("--elevation", ""), ("--elevation", "empty|15:120")),
-    (("--elevation", "15-120"), ("--elevation '15-120'", "15:120")),
+    (("--elevation", "15-120"), ("--elevation 15-120: a motion goes from one elevation", "0:90")),
     # The fix is a whole FROM:TO: one number would be refused in its turn.
     (("--elevation", "15:12O"), ("--elevation", "12O", "15:120")),
     (("--elevation", "l5:120"), ("--elevation", "l5", "15:120")),
@@ -302,6 +302,15 @@ NO_MOTIONS: list[tuple[tuple[str, ...], tuple[str, ...]]] = [
     (("--in", "there"), ("there", "folder|directory")),
     (("--in", ""), ("--in",)),
 ]
+
+
+@pytest.mark.parametrize("name", ["arm.MP4", "arm.png"])
+def test_a_table_is_not_written_as_a_picture_or_video(
+    refuses: Refuses, scene: Path, tmp_path: Path, name: str
+) -> None:
+    because = (f"--out {name}: the output is a CSV", "--out-picture", "--out-video")
+    refuses("simulate", scene, "--elevation", "15:120", "--out", name, because=because)
+    assert not (tmp_path / name).exists()
 
 
 @pytest.mark.parametrize(("words", "patterns"), NO_MOTIONS, ids=[" ".join(words) for words, _ in NO_MOTIONS])
