@@ -9,29 +9,34 @@
 #include <glm/geometric.hpp>
 #include <optional>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "kinematics/assembly.h"
 #include "text/input_error.h"
 #include "text/number_text.h"
+#include "text/split.h"
 
 namespace girdle {
 namespace {
 
 constexpr std::string_view kBetweenRows = "; ";
 
-// A row of the line: its name, and the numbers of the anatomy that it holds.
-template <typename Number>
+// A row of the line: its name, and the numbers of the anatomy that it holds. `AnyAnatomy` is
+// Anatomy or const Anatomy.
+template <typename AnyAnatomy>
 struct Row {
+  using Number = std::conditional_t<std::is_const_v<AnyAnatomy>, const double, double>;
   std::string name;
   std::vector<Number*> numbers;
 };
 
-// Returns the rows of an anatomy in their order. `AnyAnatomy` is Anatomy or const Anatomy.
-template <typename AnyAnatomy, typename Number>
-std::vector<Row<Number>> RowsOf(AnyAnatomy& anatomy) {
-  std::vector<Row<Number>> rows;
+// Returns the rows of an anatomy in their order.
+template <typename AnyAnatomy>
+std::vector<Row<AnyAnatomy>> RowsOf(AnyAnatomy& anatomy) {
+  using Number = typename Row<AnyAnatomy>::Number;
+  std::vector<Row<AnyAnatomy>> rows;
   const auto add = [&rows](std::string_view name, std::vector<Number*> numbers) {
     rows.push_back({std::string(name), std::move(numbers)});
   };
@@ -75,21 +80,10 @@ std::vector<Row<Number>> RowsOf(AnyAnatomy& anatomy) {
 
 constexpr std::string_view kProportionsName = "adult_proportions";
 
-// Returns the parts of a text between separators, without the separators.
-std::vector<std::string> Parts(std::string_view text, std::string_view separator) {
-  std::vector<std::string> parts;
-  for (std::size_t from = 0; from <= text.size();) {
-    const std::size_t end = std::min(text.find(separator, from), text.size());
-    parts.emplace_back(text.substr(from, end - from));
-    from = end + separator.size();
-  }
-  return parts;
-}
-
 // Returns the numbers of a row with this name and this many numbers; nothing for any other row.
 std::optional<std::vector<double>> NumbersOf(const std::string& row, const std::string& name,
                                              std::size_t count) {
-  const std::vector<std::string> words = Parts(row, " ");
+  const std::vector<std::string> words = Split(row, " ");
   if (words.size() != count + 1 || words.front() != name) {
     return std::nullopt;
   }
@@ -144,7 +138,7 @@ void ExpectPossible(const Anatomy& anatomy, const std::string& place) {
 
 std::string AnatomyAsLine(const Anatomy& anatomy) {
   std::string line;
-  for (const Row<const double>& row : RowsOf<const Anatomy, const double>(anatomy)) {
+  for (const Row<const Anatomy>& row : RowsOf(anatomy)) {
     line += row.name;
     for (const double* const number : row.numbers) {
       line += ' ';
@@ -161,12 +155,12 @@ Anatomy AnatomyFromLine(const std::string& line, const std::string& place) {
     throw InputError(place + ": is longer than any anatomy. " + kRemedy);
   }
   const auto fail = [&place](const std::string& name, std::size_t count) {
-    throw InputError(place + ": expected " + name + " with " + CountText(count, "number") +
-                     ". Generate the model again with girdle generate");
+    throw InputError(place + ": expected " + name + " with " + CountText(count, "number") + ". " +
+                     kRemedy);
   };
   Anatomy anatomy;
-  const std::vector<Row<double>> rows = RowsOf<Anatomy, double>(anatomy);
-  const std::vector<std::string> texts = Parts(line, kBetweenRows);
+  const std::vector<Row<Anatomy>> rows = RowsOf(anatomy);
+  const std::vector<std::string> texts = Split(line, kBetweenRows);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::size_t count = rows[i].numbers.size();
     const auto numbers = i < texts.size() ? NumbersOf(texts[i], rows[i].name, count) : std::nullopt;
@@ -190,8 +184,8 @@ Anatomy AnatomyFromLine(const std::string& line, const std::string& place) {
 
 bool IsSame(const Anatomy& a, const Anatomy& b) {
   constexpr double kRounding = 1e-9;
-  const auto rows_a = RowsOf<const Anatomy, const double>(a);
-  const auto rows_b = RowsOf<const Anatomy, const double>(b);
+  const auto rows_a = RowsOf(a);
+  const auto rows_b = RowsOf(b);
   for (std::size_t i = 0; i < rows_a.size(); ++i) {
     for (std::size_t k = 0; k < rows_a[i].numbers.size(); ++k) {
       const double number = *rows_a[i].numbers[k];

@@ -9,6 +9,7 @@
 
 #include "text/input_error.h"
 #include "text/number_text.h"
+#include "text/split.h"
 
 namespace girdle {
 namespace {
@@ -16,18 +17,6 @@ namespace {
 [[noreturn]] void Fail(const SweptAngle& angle, const std::string& text,
                        const std::string& reason) {
   throw InputError(std::string(angle.option) + " '" + text + "': " + reason);
-}
-
-std::vector<std::string> SplitAtColons(const std::string& text) {
-  std::vector<std::string> parts(1);
-  for (const char c : text) {
-    if (c == ':') {
-      parts.emplace_back();
-    } else {
-      parts.back() += c;
-    }
-  }
-  return parts;
 }
 
 double NumberOf(const SweptAngle& angle, const std::string& text, const std::string& part) {
@@ -46,7 +35,7 @@ bool IsSweep(const std::string& text) { return text.find(':') != std::string::np
 
 std::vector<double> SweepValues_deg(const SweptAngle& angle, const std::string& text,
                                     std::uint64_t most) {
-  const std::vector<std::string> parts = SplitAtColons(text);
+  const std::vector<std::string> parts = Split(text, ":");
   if (parts.size() != 3) {
     Fail(angle, text, "expected FROM:TO:STEP in degrees, such as " + std::string(angle.example));
   }

@@ -88,12 +88,9 @@ void CompareRhythms(const CompareArguments& arguments) {
   if (out) {
     std::string content;
     if (format == Format::kCsv) {
-      std::ptrdiff_t lines = 0;
-      WriteMapCsv(measured, published, map, [&out, &lines](std::string_view text) {
-        lines += std::ranges::count(text, '\n');
-        out->Write(text);
-      });
-      content = CountText(static_cast<std::uintmax_t>(lines - 1), "row");
+      const std::size_t rows = WriteMapCsv(measured, published, map,
+                                           [&out](std::string_view text) { out->Write(text); });
+      content = CountText(rows, "row");
     } else {
       out->Write(ComparisonAsJson(comparison));
     }

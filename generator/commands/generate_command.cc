@@ -219,31 +219,32 @@ void AddGenerateCommand(CLI::App& program) {
       ->type_name("DIR")
       ->required();
   verb->add_flag("--json", arguments->json, "Say what was written as JSON");
-  auto shoulder = std::make_optional<OptionGroup>(*verb, "The shoulder");
-  verb->add_option("--side", arguments->side, "right (default), left or both")->type_name("WORD");
-  verb->add_option("--assembly", arguments->assembly,
-                   "tree (default: the scapula hangs from the clavicle) or loop (both hang from "
-                   "the thorax, and a constraint closes the AC joint)")
-      ->type_name("WORD");
-  verb->add_option("--lead", arguments->lead,
-                   "Of a loop: clavicle (default: its angles are driven and the scapula's place "
-                   "follows) or scapula (its place is driven and the clavicle follows)")
-      ->type_name("WORD");
-  verb->add_option("--actuation", arguments->actuation,
-                   "plugin (default: commands of elevation, plane and axial turn) or position (a "
-                   "native position servo a coordinate, for where no plugin runs)")
-      ->type_name("WORD");
-  AddAxialFromArgument(*verb, arguments->axial_from,
-                       "What the command axial is counted from (default rhythm)");
-  verb->add_flag("--offsets", arguments->offsets,
-                 "With commands for shrug and protraction on top of the rhythm");
-  verb->add_flag("--rates", arguments->rates,
-                 "With commands for how fast elevation, plane and axial change, which the plugin "
-                 "feeds forward so that the joints lag less");
-  verb->add_flag("--thorax-contact", arguments->thorax_contact,
-                 "With a soft force that keeps the scapula's medial border from sinking into the "
-                 "thorax");
-  shoulder.reset();
+  {
+    const OptionGroup group(*verb, "The shoulder");
+    verb->add_option("--side", arguments->side, "right (default), left or both")->type_name("WORD");
+    verb->add_option("--assembly", arguments->assembly,
+                     "tree (default: the scapula hangs from the clavicle) or loop (both hang from "
+                     "the thorax, and a constraint closes the AC joint)")
+        ->type_name("WORD");
+    verb->add_option("--lead", arguments->lead,
+                     "Of a loop: clavicle (default: its angles are driven and the scapula's place "
+                     "follows) or scapula (its place is driven and the clavicle follows)")
+        ->type_name("WORD");
+    verb->add_option("--actuation", arguments->actuation,
+                     "plugin (default: commands of elevation, plane and axial turn) or position (a "
+                     "native position servo a coordinate, for where no plugin runs)")
+        ->type_name("WORD");
+    AddAxialFromArgument(*verb, arguments->axial_from,
+                         "What the command axial is counted from (default rhythm)");
+    verb->add_flag("--offsets", arguments->offsets,
+                   "With commands for shrug and protraction on top of the rhythm");
+    verb->add_flag("--rates", arguments->rates,
+                   "With commands for how fast elevation, plane and axial change, which the plugin "
+                   "feeds forward so that the joints lag less");
+    verb->add_flag("--thorax-contact", arguments->thorax_contact,
+                   "With a soft force that keeps the scapula's medial border from sinking into the "
+                   "thorax");
+  }
   AddRhythmArguments(*verb, arguments->rhythm);
   AddAnatomyArguments(*verb, arguments->anatomy);
   AddSkinArguments(*verb, arguments->skin);

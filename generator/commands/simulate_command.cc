@@ -114,12 +114,12 @@ MotionRequest Requested(const SimulateArguments& arguments) {
   }
   ExpectNoUnit(arguments.angles);
   const std::string& raise = *arguments.elevation;
-  if (raise.find(':') == std::string::npos) {
+  const std::size_t colon = raise.find(':');
+  if (colon == std::string::npos) {
     throw InputError("--elevation " + raise +
                      ": a motion goes from one elevation to another. Give both, such as "
                      "--elevation 0:90");
   }
-  const std::size_t colon = raise.find(':');
   const double plane_rad =
       RadiansFromDegrees(PlaneArgument_deg("--plane", arguments.plane.value_or("0")));
   ReachingRequest reaching;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "text/input_error.h"
@@ -64,12 +65,9 @@ std::vector<std::string_view> ViewsOf(const std::vector<std::string>& words) {
   return {words.begin(), words.end()};
 }
 
-void ExpectNoEmptyWord(const std::vector<std::string>& words) {
+void ExpectNoEmptyWord(std::span<const std::string> words) {
   std::string before = "the first word";
   for (const std::string& word : words) {
-    if (word == kEndOfOptions) {
-      return;
-    }
     if (word.empty() || (word.starts_with("--") && word.find('=') == word.size() - 1)) {
       throw InputError((word.empty() ? before : word.substr(0, word.size() - 1)) +
                        " '': is empty. Give it a value or leave it away");
@@ -120,7 +118,9 @@ const CLI::App& VerbOf(const CLI::App& program, const std::string& word) {
 }  // namespace
 
 void ExpectKnownWords(const CLI::App& program, const std::vector<std::string>& words) {
-  ExpectNoEmptyWord(words);
+  const std::span<const std::string> checked(words.begin(),
+                                             std::ranges::find(words, kEndOfOptions));
+  ExpectNoEmptyWord(checked);
   if (words.empty()) {
     return;
   }
@@ -133,10 +133,7 @@ void ExpectKnownWords(const CLI::App& program, const std::vector<std::string>& w
     return;
   }
   const CLI::App& verb = VerbOf(program, words.front());
-  for (const std::string& word : words) {
-    if (word == kEndOfOptions) {
-      return;
-    }
+  for (const std::string& word : checked) {
     const std::string option = word.substr(0, word.find('='));
     if (option.starts_with("--") && option.size() > 2 && !HasOption(verb, option)) {
       RefuseOption(program, verb, option);

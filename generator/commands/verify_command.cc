@@ -127,18 +127,20 @@ void AddVerifyCommand(CLI::App& program, int& status) {
           "or frozen (clavicle and scapula stay where the skin was bound, the arm turns in "
           "GH alone); the residuals of the skin then fail")
       ->type_name("WORD");
-  auto mapped = std::make_optional<OptionGroup>(*verb, "A model that is not Girdle's");
-  verb->add_option("--mapping", arguments->mapping,
-                   "CSV that names the bodies or sites that are the model's bones, and the joints "
-                   "that set its arm, such as those in data/mappings")
-      ->type_name("FILE");
-  verb->add_option("--elevation", arguments->elevation,
-                   std::string("Elevations to survey [deg], by default ") + kDefaultElevation)
-      ->type_name("FROM:TO:STEP");
-  verb->add_option("--plane", arguments->plane,
-                   std::string("Planes to survey [deg], by default ") + kDefaultPlane)
-      ->type_name("FROM:TO:STEP");
-  mapped.reset();
+  {
+    const OptionGroup group(*verb, "A model that is not Girdle's");
+    verb->add_option(
+            "--mapping", arguments->mapping,
+            "CSV that names the bodies or sites that are the model's bones, and the joints "
+            "that set its arm, such as those in data/mappings")
+        ->type_name("FILE");
+    verb->add_option("--elevation", arguments->elevation,
+                     std::string("Elevations to survey [deg], by default ") + kDefaultElevation)
+        ->type_name("FROM:TO:STEP");
+    verb->add_option("--plane", arguments->plane,
+                     std::string("Planes to survey [deg], by default ") + kDefaultPlane)
+        ->type_name("FROM:TO:STEP");
+  }
   AddRhythmArguments(*verb, arguments->rhythm);
   AddAnatomyArguments(*verb, arguments->anatomy);
   verb->footer(

@@ -452,9 +452,8 @@ VerifyResult Verify(const std::string& model_path, const std::string& plugin,
   LoadedShoulders loaded(LoadModel(model_path), model_path);
   const ResolvedRhythm resolved = Resolve(Over(said, OwnChoice(loaded)));
   const std::optional<Anatomy> own_anatomy = OwnAnatomy(loaded);
-  const Anatomy anatomy = said_anatomy  ? *said_anatomy
-                          : own_anatomy ? *own_anatomy
-                                        : BuiltInAnatomy();
+  const Anatomy adult = BuiltInAnatomy();
+  const Anatomy anatomy = said_anatomy ? *said_anatomy : own_anatomy.value_or(adult);
   AssembledRhythm meant = AssembledOf(loaded, RhythmOf(loaded, resolved));
   ShoulderSimulation simulation(std::move(loaded), std::move(meant));
   ResidualReport report =
@@ -463,7 +462,7 @@ VerifyResult Verify(const std::string& model_path, const std::string& plugin,
   report.kind =
       KindOf(simulation) + (girdle == GirdleMotion::kFrozen ? ", skin of a frozen girdle" : "");
   report.remark = AnatomyRemark(said_anatomy, own_anatomy);
-  if (!IsSame(anatomy, BuiltInAnatomy())) {
+  if (!IsSame(anatomy, adult)) {
     const bool are_own = own_anatomy && IsSame(anatomy, *own_anatomy);
     report.kind += are_own ? ", bones of its own" : ", bones as given";
   }

@@ -4,16 +4,13 @@
 #include "residuals/residual_report.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <sstream>
-#include <string_view>
 #include <vector>
 
 #include "residuals/report_parts.h"
 #include "residuals/report_summary.h"
 #include "text/json_text.h"
-#include "text/number_text.h"
 #include "text/text_columns.h"
 
 namespace girdle {

@@ -259,8 +259,9 @@ std::string ComparisonAsJson(const Comparison& comparison) {
   return JsonText(json);
 }
 
-void WriteMapCsv(const ShoulderRhythm& measured, const std::vector<PublishedRhythm>& published,
-                 const ComparisonMap& map, const std::function<void(std::string_view)>& write) {
+std::size_t WriteMapCsv(const ShoulderRhythm& measured,
+                        const std::vector<PublishedRhythm>& published, const ComparisonMap& map,
+                        const std::function<void(std::string_view)>& write) {
   constexpr std::size_t kBufferSize = 1 << 16;
   const std::vector<MapPosition> positions = PositionsOf(measured, map);
   std::string text = MapHeader();
@@ -282,6 +283,7 @@ void WriteMapCsv(const ShoulderRhythm& measured, const std::vector<PublishedRhyt
     });
   }
   write(text);
+  return positions.size() * (1 + published.size());
 }
 
 }  // namespace girdle

@@ -5,6 +5,7 @@
 /// Angles are in degrees.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -29,8 +30,9 @@ inline constexpr std::string_view kMeasuredName = "Girdle";
 /// Writes the map as CSV through `write`, in pieces. Each rhythm (the measured one first),
 /// elevation and plane is one row. It has the nine joint angles, the three of the scapula in the
 /// thorax and the differences. Clamped positions are omitted. A field is empty if a rhythm does not
-/// define the angle.
-void WriteMapCsv(const ShoulderRhythm& measured, const std::vector<PublishedRhythm>& published,
-                 const ComparisonMap& map, const std::function<void(std::string_view)>& write);
+/// define the angle. Returns the number of rows.
+std::size_t WriteMapCsv(const ShoulderRhythm& measured,
+                        const std::vector<PublishedRhythm>& published, const ComparisonMap& map,
+                        const std::function<void(std::string_view)>& write);
 
 }  // namespace girdle

@@ -59,13 +59,16 @@ def draw_lines(axes: Axes, field: tuple[Numbers, Numbers, Numbers], levels: Numb
     axes.clabel(lines, fmt="%g", fontsize=9)
 
 
+def directions(step_deg: float) -> tuple[str, ...]:
+    """The options for a grid over all directions of the arm."""
+    elevations, planes = (text.format(step=step_deg) for text in (ELEVATIONS, PLANES))
+    return ("--elevation", elevations, "--plane", planes)
+
+
 def measured_distance(girdle: Girdle, step_deg: float) -> tuple[Numbers, Numbers, Numbers]:
     rows = girdle.rows(
         "solve",
-        "--elevation",
-        ELEVATIONS.format(step=step_deg),
-        "--plane",
-        PLANES.format(step=step_deg),
+        *directions(step_deg),
     )
     return rows.map("distance_deg")
 
@@ -76,10 +79,7 @@ def make_rotation(girdle: Girdle, quick: bool) -> Figure:
     map_file = f"{ROTATION_NAME}.csv"
     girdle.run(
         "compare",
-        "--elevation",
-        ELEVATIONS.format(step=step_deg),
-        "--plane",
-        PLANES.format(step=step_deg),
+        *directions(step_deg),
         "--out",
         map_file,
     )
@@ -134,10 +134,7 @@ def make_distances(girdle: Girdle, quick: bool) -> Figure:
     map_file = f"{DISTANCE_NAME}.csv"
     summary = girdle.answer(
         "compare",
-        "--elevation",
-        ELEVATIONS.format(step=step_deg),
-        "--plane",
-        PLANES.format(step=step_deg),
+        *directions(step_deg),
         "--out",
         map_file,
     )
