@@ -12,7 +12,7 @@
 ///         rhythm.SolvePose({.elevation_rad = girdle::RadiansFromDegrees(90)});
 ///
 /// Functions that read or build throw InputError (text/input_error.h) or std::invalid_argument. The
-/// message says how to mend the fault. Functions that solve never fail and allocate nothing, and
+/// message says how to correct the fault. Functions that solve never fail and allocate nothing, and
 /// any number of threads may call them at the same time.
 #pragma once
 

@@ -50,7 +50,7 @@ class NamedRows {
     }
     const auto index = static_cast<std::size_t>(found - names_.begin());
     if (seen_[index]) {
-      csv_.Fail("'" + std::string(key) + "' stands twice. Remove one of the rows");
+      csv_.Fail("'" + std::string(key) + "' is given twice. Remove one of the rows");
     }
     seen_[index] = true;
     return index;

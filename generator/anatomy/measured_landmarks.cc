@@ -204,7 +204,7 @@ void MeasuredLandmarks::TakeFrame(std::string_view name, std::optional<Landmark>
 
 void MeasuredLandmarks::TakeHeadPoint(std::string_view name, const Vector3& position_m) {
   if (std::find(head_names_.begin(), head_names_.end(), name) != head_names_.end()) {
-    csv_.Fail("'" + std::string(name) + "' stands twice. Number the points of the humeral head");
+    csv_.Fail("'" + std::string(name) + "' is given twice. Number the points of the humeral head");
   }
   head_names_.emplace_back(name);
   head_points_m_.push_back(position_m);

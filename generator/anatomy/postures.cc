@@ -36,7 +36,7 @@ Posture ReadPosture(std::istream& in, const std::string& name, const std::string
       continue;
     }
     if (found) {
-      csv.Fail("posture '" + posture + "' stands twice. Remove one of the rows");
+      csv.Fail("posture '" + posture + "' is given twice. Remove one of the rows");
     }
     const ShoulderPose pose = PoseFromAngles(angles_rad);
     found = {pose.q_TC, pose.q_CS};

@@ -58,7 +58,7 @@ std::optional<AxialFrom> AxialFromOf(const std::string& axial_from,
 void ExpectNoUnit(const AngleArguments& arguments) {
   if (!arguments.unit.empty()) {
     throw InputError("--angles " + arguments.unit +
-                     ": says the unit of a file; angles of options are degrees. Leave it away");
+                     ": says the unit of a file; angles of options are degrees. Omit it");
   }
 }
 

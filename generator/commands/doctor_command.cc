@@ -290,7 +290,7 @@ void AddDoctorCommand(CLI::App& program, int& status) {
       "isolated, to ask where its package is. It loads each MuJoCo with the plugin, steps a "
       "shoulder, and loads OpenGL. Each runs in its own process, with a limit of time and output. "
       "Nothing of the current folder is run. If a MuJoCo does not work, its problem or the line "
-      "after `type` says what mends it. Exit status 1 if no MuJoCo works.\n"
+      "after `type` says how to repair it. Exit status 1 if no MuJoCo works.\n"
       "\nExamples:\n  girdle doctor\n  girdle doctor --install");
   verb->callback([arguments, &status] {
     const bool changes = arguments->install || arguments->uninstall;

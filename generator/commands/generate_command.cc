@@ -76,7 +76,7 @@ ShoulderModelOptions ModelOptions(const GenerateArguments& arguments,
     ExpectDerivatives("--rates", arguments.rhythm);
     if (options.assembly == Assembly::kLoop) {
       throw InputError(
-          "--rates: not known for the assembly loop. Leave it away, or choose --assembly tree");
+          "--rates: not known for the assembly loop. Omit it, or choose --assembly tree");
     }
   }
   options.table = rhythm.built_in();

@@ -39,7 +39,7 @@ RenderRequest Requested(const RenderArguments& arguments) {
   request.pose = AtKeyframe{arguments.keyframe};
   if (!arguments.keyframe.empty() && !(arguments.elevation.empty() && arguments.plane.empty())) {
     throw InputError(
-        "which pose? Give either --keyframe, or --elevation and --plane, and leave the other away");
+        "which pose? Give either --keyframe, or --elevation and --plane, and omit the other");
   }
   if (arguments.elevation.empty() && !arguments.plane.empty()) {
     throw InputError("--plane " + arguments.plane +
@@ -59,8 +59,8 @@ RenderRequest Requested(const RenderArguments& arguments) {
   if (!arguments.side.empty()) {
     if (arguments.elevation.empty() && request.girdle == GirdleMotion::kMeasured) {
       throw InputError("--side " + arguments.side +
-                       ": a keyframe is one of the whole model. Give --elevation as well, or leave "
-                       "--side away");
+                       ": a keyframe is one of the whole model. Give --elevation as well, or omit "
+                       "--side");
     }
     ChooseWord("--side", arguments.side, request.side.emplace());
   }

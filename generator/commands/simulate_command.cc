@@ -97,15 +97,14 @@ MotionRequest Requested(const SimulateArguments& arguments) {
   request.axial_from = AxialFromOf(arguments.axial_from, arguments.angles);
   if (!arguments.axial_from.empty() && !arguments.in) {
     throw InputError(
-        "--axial-from says how the column axial_deg of a motion is read. Give --in FILE, or leave "
-        "it away");
+        "--axial-from says how the column axial_deg of a motion is read. Give --in FILE, or omit it");
   }
   const double longest_s = LongestMotion_s(arguments);
   if (arguments.in) {
     if (arguments.plane || arguments.seconds) {
       throw InputError(
-          "--plane and --seconds belong to --elevation; a motion has both. Leave them away, or "
-          "leave --in away");
+          "--plane and --seconds belong to --elevation; a motion has both. Omit them, or "
+          "omit --in");
     }
     AngleReading reading = ReadingFrom(arguments.angles);
     reading.must_have_axial = !arguments.axial_from.empty();
@@ -145,7 +144,7 @@ PictureRequest RequestedPictures(const SimulateArguments& arguments) {
   }
   if (arguments.video.empty() && !arguments.frames_per_s.empty()) {
     throw InputError("--fps " + arguments.frames_per_s +
-                     ": there is no video. Give --out-video FILE.mp4, or leave --fps away");
+                     ": there is no video. Give --out-video FILE.mp4, or omit --fps");
   }
   for (const char* const suffix : {".mp4", ".png"}) {
     if (InSmallLetters(arguments.out).ends_with(suffix)) {
@@ -181,14 +180,15 @@ std::string SummaryAsJson(const SimulateArguments& arguments, const SimulationSu
   const auto file = [](const std::string& name) {
     return name.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(name);
   };
-  json["trace"] = file(arguments.out);
-  json["controls"] = file(arguments.controls);
-  json["picture"] = file(arguments.picture);
-  json["video"] = file(arguments.video);
+  json["out"] = file(arguments.out);
+  json["out_controls"] = file(arguments.controls);
+  json["out_picture"] = file(arguments.picture);
+  json["out_video"] = file(arguments.video);
   json["frames"] = summary.frames;
   json["rows"] = summary.tally.rows;
   json["duration_s"] = summary.duration_s;
   json["clamped_rows"] = summary.tally.clamped;
+  json["derived_rows"] = summary.tally.derived;
   json["modelled_rows"] = summary.tally.modelled;
   json["worst_distance_deg"] = DegreesFromRadians(summary.tally.farthest_rad);
   json["worst_tracking_error_deg"] = summary.worst_error_deg;

@@ -23,6 +23,7 @@
 #include "skin/skn_file.h"
 #include "skin/weight_blend.h"
 #include "text/input_error.h"
+#include "text/near_names.h"
 #include "text/small_letters.h"
 
 namespace girdle {
@@ -49,7 +50,8 @@ Source SourceOf(const std::string& skin) {
   if (std::filesystem::is_directory(skin, ignored)) return Source::kFolder;
   if (HasMeshSuffix(skin)) return Source::kMesh;
   throw InputError("--skin '" + skin +
-                   "': neither the word implicit, nor a folder, nor a mesh (.glb, .gltf, .obj). "
+                   "': neither the word implicit, nor a folder, nor a mesh (.glb, .gltf, .obj). " +
+                   DidYouMean(skin, std::array{std::string_view(kImplicitWord)}) +
                    "scripts/fetch_body fetches a body into the folder build/body");
 }
 
@@ -57,7 +59,7 @@ Source SourceOf(const std::string& skin) {
 void ExpectFitting(Source source, const SkinArguments& arguments, const AnatomyArguments& anatomy) {
   if (!arguments.landmarks.empty() && source != Source::kMesh) {
     throw InputError("--skin-landmarks " + arguments.landmarks + ": --skin " + arguments.skin +
-                     " has bones already. Leave it away, or give a mesh with --skin");
+                     " has bones already. Omit it, or give a mesh with --skin");
   }
   if (arguments.landmarks.empty() && source == Source::kMesh) {
     throw InputError("--skin " + arguments.skin +
@@ -66,7 +68,7 @@ void ExpectFitting(Source source, const SkinArguments& arguments, const AnatomyA
                      "data/example_lab_landmarks.csv");
   }
   if (!arguments.head.empty() && source != Source::kFolder) {
-    throw InputError("--head " + arguments.head + ": only for the body of a folder. Leave it away");
+    throw InputError("--head " + arguments.head + ": only for the body of a folder. Omit it");
   }
   if (source != Source::kImplicit && IsAnatomyChosen(anatomy)) {
     throw InputError(

@@ -44,6 +44,8 @@ struct SolveOutput {
   RotationForm form = RotationForm::kAngles;
   /// The pose that rotations are counted from; the zero of each joint if empty.
   std::optional<ShoulderPose> since = std::nullopt;
+  /// The origin of `since`.
+  Origin since_origin = Origin::kMeasured;
   /// Whether the derivatives of the joints' rotations are written. Needs a smooth interpolation.
   bool derivatives = false;
   /// The anatomy whose ShoulderPoints are written. No points are written if empty.

@@ -11,7 +11,6 @@
 #include <fstream>
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <system_error>
@@ -27,17 +26,15 @@
 #include "commands/option_group.h"
 #include "commands/output_file.h"
 #include "commands/rhythm_arguments.h"
-#include "commands/shoulder_points.h"
+#include "commands/solve_answer.h"
 #include "commands/solve_columns.h"
 #include "commands/solve_rows.h"
 #include "commands/word_argument.h"
 #include "motions/command_columns.h"
 #include "names/model_names.h"
 #include "text/input_error.h"
-#include "text/json_text.h"
 #include "text/near_names.h"
 #include "text/number_text.h"
-#include "text/text_columns.h"
 #include "text/text_file.h"
 
 namespace girdle {
@@ -69,30 +66,11 @@ struct SolveArguments {
   bool json = false;
 };
 
-constexpr const char* kLandmarksKey = "landmarks_mm";
-constexpr const char* kAxialIsbKey = "axial_isb_deg";
-
 // A million positions. A larger set belongs in a file.
 constexpr std::uint64_t kMostSwept = 1'000'000;
 constexpr SweptAngle kSweptElevation = {"--elevation", kWholeElevations, -kHalfCircle_deg,
                                         kHalfCircle_deg};
 constexpr SweptAngle kSweptPlane = {"--plane", kWholePlanes, -kMostTurned_deg, kMostTurned_deg};
-
-// One position of the arm as typed. The elevation has Girdle's sign.
-struct TypedPose {
-  double elevation_deg;
-  double plane_deg;
-  double axial_deg;
-  double shrug_deg;
-  double protraction_deg;
-  AxialFrom axial_from;
-
-  [[nodiscard]] ArmCommand command() const {
-    return {RadiansFromDegrees(elevation_deg),   RadiansFromDegrees(PlaneRead_deg(plane_deg)),
-            RadiansFromDegrees(axial_deg),       RadiansFromDegrees(shrug_deg),
-            RadiansFromDegrees(protraction_deg), axial_from};
-  }
-};
 
 // Returns an offset within its bounds, if one is given.
 std::optional<double> OffsetArgument(const std::string& option,
@@ -125,7 +103,7 @@ AxialFrom ChosenAxialFrom(const SolveArguments& arguments) {
   if (!arguments.axial_deg && arguments.in.empty()) {
     if (!arguments.axial_from.empty()) {
       throw InputError("--axial-from " + arguments.axial_from +
-                       ": no axial turn is given. Add --axial, or leave --axial-from away");
+                       ": no axial turn is given. Add --axial, or omit --axial-from");
     }
     return AxialFrom::kRhythm;
   }
@@ -152,67 +130,15 @@ double TypedPlane_deg(const SolveArguments& arguments) {
   return NumberArgument("--plane", text);
 }
 
-struct CellEdges {
-  double elevation_from_deg;
-  double elevation_to_deg;
-  double plane_from_deg;
-  double plane_to_deg;
-};
-
-CellEdges EdgesOf(const RhythmTable& table, const RhythmCell& cell) {
-  const auto& elevations = table.elevations_rad();
-  const auto& planes = table.planes_rad();
-  return {DegreesFromRadians(elevations[cell.elevation_index]),
-          DegreesFromRadians(elevations[cell.elevation_index + 1]),
-          DegreesFromRadians(planes[cell.plane_index]),
-          DegreesFromRadians(planes[cell.plane_index + 1])};
-}
-
-// Returns first and second derivatives [deg per deg, deg per deg^2] as JSON.
-nlohmann::ordered_json DerivativesAsJson(const ShoulderDerivatives& derivatives) {
-  nlohmann::ordered_json json;
-  const auto first = [](const Vector3& w) { return std::array{w.x, w.y, w.z}; };
-  const auto second = [](const Vector3& w) {
-    return std::array{w.x * kRadiansPerDegree, w.y * kRadiansPerDegree, w.z * kRadiansPerDegree};
-  };
-  for (std::size_t joint = 0; joint < kJointCount; ++joint) {
-    const RotationDerivatives& rotation = derivatives.joints[joint];
-    json["angular_velocity"][std::string(kJointNames[joint])] = {
-        {"by_elevation", first(rotation.rate.by_elevation)},
-        {"by_plane", first(rotation.rate.by_plane)},
-        {"by_elevation_twice_per_deg", second(rotation.by_elevation_twice)},
-        {"by_elevation_and_plane_per_deg", second(rotation.by_elevation_and_plane)},
-        {"by_plane_twice_per_deg", second(rotation.by_plane_twice)}};
-  }
-  for (std::size_t k = 0; k < kCoordinateCount; ++k) {
-    const AngleDerivatives& angle = derivatives.angles[k];
-    json["angles"][std::string(kCoordinateNames[k])] = {
-        {"by_elevation", angle.by_elevation},
-        {"by_plane", angle.by_plane},
-        {"by_elevation_twice_per_deg", angle.by_elevation_twice * kRadiansPerDegree},
-        {"by_elevation_and_plane_per_deg", angle.by_elevation_and_plane * kRadiansPerDegree},
-        {"by_plane_twice_per_deg", angle.by_plane_twice * kRadiansPerDegree}};
-  }
-  return json;
-}
-
-nlohmann::ordered_json PointsAsJson(const Anatomy& anatomy, const ShoulderPose& pose) {
-  nlohmann::ordered_json json;
-  for (const ShoulderPoint& point : ShoulderPoints(anatomy, pose)) {
-    json[point.name] = {point.p_mm.x, point.p_mm.y, point.p_mm.z};
-  }
-  return json;
-}
-
-// Returns the rhythm's pose of the hanging arm, without axial turn and offsets.
-ShoulderPose HangingPose(const ShoulderRhythm& rhythm) {
+// Returns the answer to the hanging arm, without axial turn and offsets.
+ShoulderSolution HangingArm(const ShoulderRhythm& rhythm) {
   const ShoulderSolution hanging = rhythm.Solve({});
   if (hanging.clamped) {
     throw InputError(
-        "--relative-to hanging: this rhythm does not reach the hanging arm. Leave --range clamp, "
-        "--interpolation and --closure away");
+        "--relative-to hanging: this rhythm does not reach the hanging arm. Omit --range clamp, "
+        "--interpolation and --closure");
   }
-  return hanging.pose;
+  return hanging;
 }
 
 int ChosenDigits(const std::optional<std::string>& text) {
@@ -231,7 +157,7 @@ SolveOutput ChosenOutput(const SolveArguments& arguments, const ShoulderRhythm& 
   if (!arguments.landmarks && IsAnatomyChosen(arguments.anatomy)) {
     throw InputError(
         "whose shoulder it is changes no angle, only where landmarks are. Add --landmarks, or "
-        "leave --anatomy, --ellipsoids and the measures away");
+        "omit --anatomy, --ellipsoids and the measures");
   }
   SolveOutput output;
   ChooseWord("--as", arguments.form, output.form);
@@ -243,9 +169,11 @@ SolveOutput ChosenOutput(const SolveArguments& arguments, const ShoulderRhythm& 
     if (arguments.derivatives) {
       throw InputError(
           "--derivatives and --relative-to: derivatives are of the angles from each joint's zero. "
-          "Leave one of them away");
+          "Omit one of them");
     }
-    output.since = HangingPose(rhythm);
+    const ShoulderSolution hanging = HangingArm(rhythm);
+    output.since = hanging.pose;
+    output.since_origin = hanging.origin;
   }
   output.digits = ChosenDigits(arguments.digits);
   output.derivatives = arguments.derivatives;
@@ -253,187 +181,6 @@ SolveOutput ChosenOutput(const SolveArguments& arguments, const ShoulderRhythm& 
     output.points_of = ChosenAnatomy(arguments.anatomy);
   }
   return output;
-}
-
-// Adds the rotations of a pose in the chosen form.
-void AddRotations(nlohmann::ordered_json& json, const ShoulderPose& pose,
-                  const SolveOutput& output) {
-  if (output.since) {
-    json["relative_to"] = kHangingName;
-  }
-  const WrittenRotations rotations = RotationsOf(pose, output.since);
-  if (output.form == RotationForm::kQuaternions) {
-    for (std::size_t i = 0; i < rotations.size(); ++i) {
-      const Quaternion& q = rotations[i];
-      json["quaternions"][std::string(kWrittenRotationNames[i])] = {q.w, q.x, q.y, q.z};
-    }
-    return;
-  }
-  const std::vector<std::string> names = WrittenAngleNames();
-  const WrittenAngles angles_rad = AnglesOf(rotations);
-  for (std::size_t k = 0; k < names.size(); ++k) {
-    json["angles_deg"][names[k]] = DegreesFromRadians(angles_rad[k]);
-  }
-}
-
-std::string PoseAsJson(const ShoulderRhythm& rhythm, const TypedPose& typed,
-                       const ShoulderSolution& solution, const SolveOutput& output) {
-  const CellEdges edges = EdgesOf(rhythm.table(), solution.cell);
-  nlohmann::ordered_json json;
-  json[kElevationColumn] = typed.elevation_deg;
-  json[kPlaneColumn] = typed.plane_deg;
-  json[kAxialColumn] = typed.axial_deg;
-  json[kShrugColumn] = typed.shrug_deg;
-  json[kProtractionColumn] = typed.protraction_deg;
-  json["axial_from"] = Name(typed.axial_from);
-  json["interpolation"] = Name(rhythm.options().interpolation);
-  json["closure"] = Name(rhythm.options().closure);
-  json["range"] = Name(*rhythm.options().range);
-  json["cell"] = {{"elevation_from_deg", edges.elevation_from_deg},
-                  {"elevation_to_deg", edges.elevation_to_deg},
-                  {"elevation_weight", solution.cell.elevation_weight},
-                  {"plane_from_deg", edges.plane_from_deg},
-                  {"plane_to_deg", edges.plane_to_deg},
-                  {"plane_weight", solution.cell.plane_weight}};
-  json[std::string(kClampedStem)] = solution.clamped;
-  json["used"] = {{kElevationColumn, DegreesFromRadians(solution.used.elevation_rad)},
-                  {kPlaneColumn, DegreesFromRadians(solution.used.plane_rad)},
-                  {kAxialColumn, DegreesFromRadians(solution.used.axial_rad)},
-                  {kAxialIsbKey, DegreesFromRadians(rhythm.AxialOf(AxialFrom::kIsb, solution.pose,
-                                                                   solution.used))},
-                  {kShrugColumn, DegreesFromRadians(solution.used.shrug_rad)},
-                  {kProtractionColumn, DegreesFromRadians(solution.used.protraction_rad)}};
-  json[ColumnName(kDistanceStem, kDegrees)] = DegreesFromRadians(solution.distance_rad);
-  json[std::string(kOriginStem)] = Name(solution.origin);
-  AddRotations(json, solution.pose, output);
-  if (output.points_of) {
-    json[kLandmarksKey] = PointsAsJson(*output.points_of, solution.pose);
-  }
-  if (output.derivatives) {
-    json["derivatives"] = DerivativesAsJson(*rhythm.SolveDerivatives(typed.command()));
-  }
-  return JsonText(json);
-}
-
-constexpr std::size_t kLabelWidth = 22;
-constexpr std::size_t kAngleWidth = 13;
-constexpr int kDecimals = 6;
-
-// Returns numbers to the right of a label, each in a column of its own.
-std::string NumbersAsText(const std::string& label, const std::vector<double>& numbers,
-                          int digits) {
-  std::string text = AlignedLeft(label, kLabelWidth);
-  for (const double number : numbers) {
-    text += " " + AlignedRight(RoundedText(number, digits), kAngleWidth - 1);
-  }
-  return text;
-}
-
-std::string RotationsAsText(const ShoulderPose& pose, const SolveOutput& output) {
-  std::string text = output.since ? "turned since the arm was hanging\n" : "";
-  const WrittenRotations rotations = RotationsOf(pose, output.since);
-  if (output.form == RotationForm::kQuaternions) {
-    text += "quaternions w, x, y, z\n";
-    for (std::size_t i = 0; i < rotations.size(); ++i) {
-      const Quaternion& q = rotations[i];
-      text += NumbersAsText(std::string(kWrittenRotationNames[i]), {q.w, q.x, q.y, q.z},
-                            output.digits) +
-              "\n";
-    }
-    return text;
-  }
-  const std::vector<std::string> names = WrittenAngleNames();
-  const WrittenAngles angles_rad = AnglesOf(rotations);
-  for (std::size_t k = 0; k < names.size(); ++k) {
-    text += NumbersAsText(names[k], {DegreesFromRadians(angles_rad[k])}, output.digits) + " deg\n";
-  }
-  return text;
-}
-
-std::string PointsAsText(const Anatomy& anatomy, const ShoulderPose& pose, int digits) {
-  std::string text = "\n" + AlignedLeft("in the thorax (mm)", kLabelWidth);
-  for (const char* axis : {"x", "y", "z"}) {
-    text += AlignedRight(axis, kAngleWidth);
-  }
-  text += "\n";
-  for (const ShoulderPoint& point : ShoulderPoints(anatomy, pose)) {
-    text += NumbersAsText(point.name, {point.p_mm.x, point.p_mm.y, point.p_mm.z}, digits) + "\n";
-  }
-  return text;
-}
-
-// Returns how each angle changes with elevation and plane.
-std::string DerivativesAsText(const ShoulderDerivatives& derivatives, int digits) {
-  std::string text = "\n" + AlignedLeft("change of", kLabelWidth) +
-                     AlignedRight("elevation", kAngleWidth) + AlignedRight("plane", kAngleWidth) +
-                     "  deg per deg\n";
-  for (std::size_t k = 0; k < kCoordinateCount; ++k) {
-    const AngleDerivatives& angle = derivatives.angles[k];
-    text += NumbersAsText(std::string(kCoordinateNames[k]), {angle.by_elevation, angle.by_plane},
-                          digits) +
-            "\n";
-  }
-  return text;
-}
-
-// Returns the parts of the command used that differ from the command given.
-std::string UsedAsText(const ShoulderRhythm& rhythm, const ArmCommand& given,
-                       const ArmCommand& used, int digits) {
-  std::string differing;
-  const bool is_other_plane =
-      rhythm.IsClamped({used.elevation_rad, given.plane_rad}, {used.elevation_rad, used.plane_rad});
-  const auto add = [&differing, digits](const char* name, double given_rad, double used_rad) {
-    if (given_rad != used_rad) {
-      differing += (differing.empty() ? "" : ", ") + std::string(name) + " " +
-                   RoundedText(DegreesFromRadians(used_rad), digits) + " deg";
-    }
-  };
-  add("elevation", given.elevation_rad, used.elevation_rad);
-  if (is_other_plane) {
-    add("plane", given.plane_rad, used.plane_rad);
-  }
-  add("axial", rhythm.AxialCountedFrom(AxialFrom::kRhythm, given), used.axial_rad);
-  add("shrug", given.shrug_rad, used.shrug_rad);
-  add("protraction", given.protraction_rad, used.protraction_rad);
-  return "clamped         used instead: " + differing + "\n";
-}
-
-std::string PoseAsText(const ShoulderRhythm& rhythm, const TypedPose& typed,
-                       const ShoulderSolution& solution, const SolveOutput& output) {
-  const CellEdges edges = EdgesOf(rhythm.table(), solution.cell);
-  const int digits = output.digits;
-  const auto range = [digits](double from_deg, double to_deg, double weight) {
-    return RoundedText(from_deg, digits) + " to " + RoundedText(to_deg, digits) + " deg, weight " +
-           RoundedText(weight, digits) + "\n";
-  };
-  std::string text =
-      "elevation cell  " +
-      range(edges.elevation_from_deg, edges.elevation_to_deg, solution.cell.elevation_weight) +
-      "plane cell      " +
-      range(edges.plane_from_deg, edges.plane_to_deg, solution.cell.plane_weight);
-  if (solution.clamped) {
-    text += UsedAsText(rhythm, typed.command(), solution.used, digits);
-  }
-  text += "origin          " + std::string(Name(solution.origin));
-  if (solution.distance_rad > 0) {
-    text += (solution.clamped ? ", in answer to a direction " : ", ") +
-            RoundedText(DegreesFromRadians(solution.distance_rad), digits) +
-            " deg from measured positions";
-  }
-  text +=
-      "\naxial           " + RoundedText(DegreesFromRadians(solution.used.axial_rad), digits) +
-      " deg from the rhythm's own turn, ISB " +
-      RoundedText(DegreesFromRadians(rhythm.AxialOf(AxialFrom::kIsb, solution.pose, solution.used)),
-                  digits) +
-      " deg";
-  text += "\n\n" + RotationsAsText(solution.pose, output);
-  if (output.points_of) {
-    text += PointsAsText(*output.points_of, solution.pose, output.digits);
-  }
-  if (output.derivatives) {
-    text += DerivativesAsText(*rhythm.SolveDerivatives(typed.command()), output.digits);
-  }
-  return text;
 }
 
 void WriteTo(const std::string& path, const std::string& text) {
@@ -446,17 +193,16 @@ void WriteTo(const std::string& path, const std::string& text) {
 void SolveOne(const SolveArguments& arguments) {
   ExpectNoUnit(arguments.angles);
   const std::string& elevation = Required("--elevation", arguments.elevation_deg);
-  const TypedPose typed = {ReadElevation_deg(arguments, elevation),
-                           TypedPlane_deg(arguments),
-                           AxialArgument_deg("--axial", arguments.axial_deg.value_or("0")),
-                           ShrugArgument(arguments).value_or(0),
-                           ProtractionArgument(arguments).value_or(0),
-                           ChosenAxialFrom(arguments)};
+  const TypedPosition typed = {ReadElevation_deg(arguments, elevation),
+                               TypedPlane_deg(arguments),
+                               AxialArgument_deg("--axial", arguments.axial_deg.value_or("0")),
+                               ShrugArgument(arguments).value_or(0),
+                               ProtractionArgument(arguments).value_or(0),
+                               ChosenAxialFrom(arguments)};
   const ShoulderRhythm rhythm = ChosenRhythm(arguments.rhythm);
-  const ShoulderSolution solution = rhythm.Solve(typed.command());
   const SolveOutput output = ChosenOutput(arguments, rhythm);
-  WriteTo(arguments.out, arguments.json ? PoseAsJson(rhythm, typed, solution, output)
-                                        : PoseAsText(rhythm, typed, solution, output));
+  WriteTo(arguments.out, arguments.json ? PositionAsJson(rhythm, typed, output)
+                                        : PositionAsText(rhythm, typed, output));
 }
 
 void SolvePosture(const SolveArguments& arguments) {
@@ -468,26 +214,13 @@ void SolvePosture(const SolveArguments& arguments) {
   if (arguments.elevation_deg || arguments.plane_deg || arguments.axial_deg ||
       !arguments.axial_from.empty() || arguments.shrug_deg || arguments.protraction_deg ||
       arguments.derivatives || !arguments.in.empty() || arguments.threads) {
-    throw InputError("--posture says all of the arm. Leave the other options of the arm away");
+    throw InputError("--posture says all of the arm. Omit the other options of the arm");
   }
   const ShoulderRhythm rhythm = ChosenRhythm(arguments.rhythm);
   const ShoulderPose pose = HangingIn(RelaxedStanding(), rhythm);
   const SolveOutput output = ChosenOutput(arguments, rhythm);
-  std::string text =
-      "posture         " + *arguments.posture + "\n\n" + RotationsAsText(pose, output);
-  if (output.points_of) {
-    text += PointsAsText(*output.points_of, pose, output.digits);
-  }
-  if (arguments.json) {
-    nlohmann::ordered_json json;
-    json["posture"] = *arguments.posture;
-    AddRotations(json, pose, output);
-    if (output.points_of) {
-      json[kLandmarksKey] = PointsAsJson(*output.points_of, pose);
-    }
-    text = JsonText(json);
-  }
-  WriteTo(arguments.out, text);
+  WriteTo(arguments.out, arguments.json ? PostureAsJson(*arguments.posture, pose, output)
+                                        : PostureAsText(*arguments.posture, pose, output));
 }
 
 std::size_t ChosenThreads(const std::optional<std::string>& text) {
@@ -581,14 +314,13 @@ void Solve(const SolveArguments& arguments) {
   const auto sweeps = [](const std::optional<std::string>& text) { return text && IsSweep(*text); };
   if (sweeps(arguments.elevation_deg) || sweeps(arguments.plane_deg)) {
     if (arguments.json) {
-      throw InputError(
-          "--json is for one pose. With FROM:TO:STEP the output is CSV: leave --json away");
+      throw InputError("--json is for one pose. With FROM:TO:STEP the output is CSV: omit --json");
     }
     SolveAllPositions(arguments);
     return;
   }
   if (one && arguments.threads) {
-    throw InputError("--threads is for a file of poses. For one pose leave it away");
+    throw InputError("--threads is for a file of poses. For one pose omit it");
   }
   if (one) {
     SolveOne(arguments);
@@ -599,7 +331,7 @@ void Solve(const SolveArguments& arguments) {
         "nothing to solve. Give --elevation and --plane, or --in FILE; see girdle solve --help");
   }
   if (arguments.json) {
-    throw InputError("--json is for one pose. With --in the output is CSV: leave --json away");
+    throw InputError("--json is for one pose. With --in the output is CSV: omit --json");
   }
   if (arguments.in == "-") {
     SolveFile({std::cin, "standard input", 0}, arguments);

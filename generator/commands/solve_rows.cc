@@ -89,7 +89,8 @@ class RowAnswers {
   void ExpectNoneIn(const CsvReader& csv) const {
     for (const std::string& name : columns_.names()) {
       if (csv.HasColumn(name)) {
-        csv.Fail("column '" + name + "' would stand twice in the output. Rename it in the input");
+        csv.Fail("column '" + name +
+                 "' would be there twice in the output. Rename it in the input");
       }
     }
   }
@@ -107,6 +108,11 @@ class RowAnswers {
   };
 
   [[nodiscard]] Range range() const noexcept { return *rhythm_.options().range; }
+
+  // The origin of the hanging arm that rotations are counted from, if they are.
+  [[nodiscard]] std::optional<Origin> hanging() const noexcept {
+    return output_.since ? std::optional(output_.since_origin) : std::nullopt;
+  }
 
   // Solves rows and appends each with its answer to `text`. Returns their tally.
   CommandTally Append(std::string& text, const Rows& rows, Solved& solved) const {
@@ -467,8 +473,9 @@ void SolveInput(Input& input, const RowAnswers& answers, const std::string& out,
   const CommandTally tally = RowWorkers(input, answers, file, progress).Run(threads);
   file.Commit();
   progress.Clear();
-  const std::string content =
-      TallyText(tally, {.range = answers.range(), .axial_from = input.axial_from()});
+  const std::string content = TallyText(
+      tally,
+      {.range = answers.range(), .axial_from = input.axial_from(), .hanging = answers.hanging()});
   if (out == "-") {
     PrintNote(input.name() + ": " + content);
   } else {

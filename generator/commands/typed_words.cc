@@ -5,12 +5,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <optional>
+#include <set>
 #include <span>
 #include <string_view>
 
 #include "text/input_error.h"
 #include "text/near_names.h"
+#include "text/number_text.h"
 
 namespace girdle {
 namespace {
@@ -57,8 +60,18 @@ std::vector<std::string> OptionsOf(const CLI::App& verb) {
   return options;
 }
 
+// Returns an option by its long name, such as --plane, or nullptr.
+const CLI::Option* OptionOf(const CLI::App& verb, const std::string& name) {
+  for (const CLI::Option* const option : verb.get_options()) {
+    if (option->check_lname(name.substr(std::min<std::size_t>(2, name.size())))) {
+      return option;
+    }
+  }
+  return nullptr;
+}
+
 bool HasOption(const CLI::App& verb, const std::string& name) {
-  return std::ranges::count(OptionsOf(verb), name) > 0;
+  return name.starts_with("--") && OptionOf(verb, name) != nullptr;
 }
 
 std::vector<std::string_view> ViewsOf(const std::vector<std::string>& words) {
@@ -70,7 +83,7 @@ void ExpectNoEmptyWord(std::span<const std::string> words) {
   for (const std::string& word : words) {
     if (word.empty() || (word.starts_with("--") && word.find('=') == word.size() - 1)) {
       throw InputError((word.empty() ? before : word.substr(0, word.size() - 1)) +
-                       " '': is empty. Give it a value or leave it away");
+                       " '': is empty. Give it a value or omit it");
     }
     before = word;
   }
@@ -115,6 +128,68 @@ const CLI::App& VerbOf(const CLI::App& program, const std::string& word) {
                    "See " + command + " --help");
 }
 
+// Returns whether CLI11 would take a word for an option rather than for a value.
+bool LooksLikeOption(const std::string& word) {
+  return word.size() > 1 && word[0] == '-' && (std::isdigit(word[1]) == 0) && word[1] != '.';
+}
+
+std::string OneValueOf(const std::string& name, const CLI::Option& option) {
+  return "Give one, such as " + name + " " + option.get_type_name();
+}
+
+// Expects a value behind an option that has one, and none behind another. `next` is the word that
+// follows, if any.
+void ExpectValue(const std::string& word, const std::string* next, const CLI::Option& option) {
+  const std::string name = word.substr(0, word.find('='));
+  const bool has_value = name.size() < word.size();
+  if (option.get_items_expected_max() == 0) {
+    if (has_value) {
+      throw InputError(name + ": takes no value. Write " + name + " alone, or omit it");
+    }
+    return;
+  }
+  if (has_value) {
+    return;
+  }
+  if (next == nullptr) {
+    throw InputError(name + ": has no value. " + OneValueOf(name, option));
+  }
+  if (LooksLikeOption(*next)) {
+    throw InputError(name + ": has no value, because '" + *next + "' is read as an option. " +
+                     OneValueOf(name, option) + ", or write " + name + "=" + *next);
+  }
+}
+
+// Expects each option once, values where options have them, and no word that belongs to none.
+void ExpectValues(const CLI::App& verb, std::span<const std::string> words) {
+  std::size_t most_alone = 0;
+  for (const CLI::Option* const option : verb.get_options()) {
+    most_alone +=
+        option->get_positional() ? static_cast<std::size_t>(option->get_items_expected_max()) : 0;
+  }
+  std::set<const CLI::Option*> given;
+  std::size_t alone = 0;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string& word = words[i];
+    const std::string name = word.substr(0, word.find('='));
+    const CLI::Option* const option = HasOption(verb, name) ? OptionOf(verb, name) : nullptr;
+    if (option != nullptr) {
+      ExpectValue(word, i + 1 < words.size() ? &words[i + 1] : nullptr, *option);
+      const bool is_first = given.insert(option).second;
+      if (!is_first && option->get_multi_option_policy() != CLI::MultiOptionPolicy::TakeAll) {
+        throw InputError(name + ": is given twice. Omit one of them");
+      }
+      i += option->get_items_expected_max() > 0 && name.size() == word.size() ? 1 : 0;
+    } else if (!LooksLikeOption(word) && ++alone > most_alone) {
+      throw InputError("'" + word + "': no option stands before it, and girdle " + verb.get_name() +
+                       (most_alone == 0
+                            ? " takes no such word. "
+                            : " takes only " + CountText(most_alone, "such word") + ". ") +
+                       "See girdle " + verb.get_name() + " --help");
+    }
+  }
+}
+
 }  // namespace
 
 void ExpectKnownWords(const CLI::App& program, const std::vector<std::string>& words) {
@@ -139,6 +214,7 @@ void ExpectKnownWords(const CLI::App& program, const std::vector<std::string>& w
       RefuseOption(program, verb, option);
     }
   }
+  ExpectValues(verb, checked.subspan(1));
 }
 
 }  // namespace girdle

@@ -15,10 +15,12 @@ namespace girdle {
 /// - an empty word, or an option with an empty value, which a shell variable without value leaves;
 /// - a first word that is no verb and no option of the program;
 /// - an option that the verb does not have. The message names the option's new name if it was
-///   renamed, the verbs that have it, or the option that it is a slip of.
+///   renamed, the verbs that have it, or the option that it is a slip of;
+/// - an option without its value, with a value that it does not take, or given twice;
+/// - more words without an option than the verb takes.
 ///
-/// `words` are those behind the program's name. Values of options, and words behind
-/// `--`, are not checked.
+/// `words` are those behind the program's name. What values mean is not checked, nor are words
+/// behind `--`.
 void ExpectKnownWords(const CLI::App& program, const std::vector<std::string>& words);
 
 }  // namespace girdle

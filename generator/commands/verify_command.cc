@@ -51,7 +51,7 @@ constexpr std::uint64_t kMostValues = 181;
 
 ReportChoice ChosenForm(const VerifyArguments& arguments) {
   if (arguments.full && arguments.json) {
-    throw InputError("--full and --json: --json has all lines already. Leave --full away");
+    throw InputError("--full and --json: --json has all lines already. Omit --full");
   }
   ReportChoice choice{arguments.full ? ReportForm::kFull : ReportForm::kSummary,
                       StyleOfStandardOutput()};
@@ -68,7 +68,7 @@ VerifyResult VerifyMapped(const VerifyArguments& arguments, TerminalProgress& pr
   if (IsAnatomyChosen(arguments.anatomy)) {
     throw InputError(
         "--anatomy, --ellipsoids and the sizes are for models of Girdle; with --mapping the bones "
-        "are those of the model. Leave them away");
+        "are those of the model. Omit them");
   }
   const auto values_deg = [](const SweptAngle& angle, const std::string& given,
                              const char* otherwise) {
@@ -90,8 +90,7 @@ bool Verify(const VerifyArguments& arguments) {
   }
   if (!arguments.mapping.empty() && !arguments.girdle.empty()) {
     throw InputError(
-        "--girdle is for the skin of a model of Girdle; with --mapping there is none. Leave it "
-        "away");
+        "--girdle is for the skin of a model of Girdle; with --mapping there is none. Omit it");
   }
   GirdleMotion girdle = GirdleMotion::kMeasured;
   ChooseWord("--girdle", arguments.girdle, girdle);

@@ -324,7 +324,7 @@ int KeyframeOf(const mjModel& model, const std::string& model_name, const std::s
   if (key < 0 && !name.empty()) {
     const std::string names = KeyframeNames(model);
     throw InputError(model_name + ": has no keyframe \"" + name + "\". " +
-                     (names.empty() ? "It has none that has a name: leave --keyframe away"
+                     (names.empty() ? "It has none that has a name: omit --keyframe"
                                     : MeantKeyframe(model, name) + "Choose one of: " + names));
   }
   return key;

@@ -69,7 +69,7 @@ struct HumerusPoints {
   Vector3 el_m{0, 0, 0};
 };
 
-/// A fault of measured landmarks, and how to mend it.
+/// A fault of measured landmarks, and how to correct it.
 struct LandmarkFlaw {
   std::string_view
       landmark;         ///< the landmark that is probably wrong, with the abbreviation of the ISB

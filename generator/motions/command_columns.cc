@@ -105,7 +105,7 @@ void CommandColumns::FindAxial(const CsvReader& csv) {
   if (reading_.must_have_axial) {
     csv.Fail("--axial-from " + std::string(Name(reading_.axial_from)) +
              ": no axial turn is given. Add the column " + kAxialColumn +
-             ", or leave --axial-from away");
+             ", or omit --axial-from");
   }
 }
 

@@ -33,6 +33,7 @@ void CommandTally::Add(const ShoulderRhythm& rhythm, const ArmCommand& command,
                              {used.elevation_rad, used.plane_rad})
                 ? 1
                 : 0;
+  derived += origin == Origin::kDerived ? 1 : 0;
   modelled += origin == Origin::kModelled ? 1 : 0;
   farthest_rad = WorseOf(farthest_rad, distance_rad);
 }
@@ -41,6 +42,7 @@ void CommandTally::Add(const CommandTally& other) noexcept {
   rows += other.rows;
   clamped += other.clamped;
   beyond += other.beyond;
+  derived += other.derived;
   modelled += other.modelled;
   farthest_rad = WorseOf(farthest_rad, other.farthest_rad);
 }
@@ -53,6 +55,9 @@ std::string TallyText(const CommandTally& tally, const TallySubject& subject) {
     text += " (" + ReasonText(tally, subject.range) +
             (subject.has_used_columns ? "; see the columns used_*" : "") + ")";
   }
+  if (tally.derived > 0) {
+    text += ", " + std::to_string(tally.derived) + " derived";
+  }
   text += ", " + std::to_string(tally.modelled) + " modelled";
   if (tally.modelled > 0) {
     text += " (up to " + RoundedText(DegreesFromRadians(tally.farthest_rad), kDecimals) +
@@ -60,6 +65,9 @@ std::string TallyText(const CommandTally& tally, const TallySubject& subject) {
   }
   if (subject.axial_from) {
     text += ", axial from " + std::string(Name(*subject.axial_from));
+  }
+  if (subject.hanging) {
+    text += ", relative to hanging (" + std::string(Name(*subject.hanging)) + ")";
   }
   return text;
 }

@@ -17,7 +17,8 @@ struct CommandTally {
   std::size_t rows = 0;
   std::size_t clamped = 0;  ///< answered by another command
   std::size_t beyond = 0;   ///< of the clamped ones, those answered in another direction
-  std::size_t modelled = 0;
+  std::size_t derived = 0;   ///< answered by Origin::kDerived
+  std::size_t modelled = 0;  ///< answered by Origin::kModelled
   double farthest_rad = 0;  ///< largest distance of a command from measured directions
 
   /// Adds a command and the values that ShoulderSolution has for its answer.
@@ -33,12 +34,17 @@ struct TallySubject {
   bool has_used_columns = true;      ///< whether the columns used_* were written
   /// The zero of the axial turns that were read; nothing if none were read.
   std::optional<AxialFrom> axial_from = std::nullopt;
+  /// The origin of the hanging arm that rotations are counted from; nothing if they are not.
+  std::optional<Origin> hanging = std::nullopt;
 };
 
 /// Returns one line without its line break:
 ///
-///     6 rows, 1 clamped (1 beyond what an arm reaches; see the columns used_*), 2 modelled (up
-///     to 37.2 deg from measured directions), axial from isb
+///     6 rows, 1 clamped (1 beyond what an arm reaches; see the columns used_*), 1 derived, 2
+///     modelled (up to 37.2 deg from measured directions), axial from isb, relative to hanging
+///     (modelled)
+///
+/// Derived rows are left out if there are none.
 [[nodiscard]] std::string TallyText(const CommandTally& tally, const TallySubject& subject);
 
 }  // namespace girdle

@@ -16,6 +16,7 @@
 #include "kinematics/rotation.h"
 #include "names/model_names.h"
 #include "text/input_error.h"
+#include "text/near_names.h"
 
 namespace girdle {
 namespace {
@@ -201,8 +202,10 @@ ModelPointer CheckedCopy(const mjModel& model, const std::string& name, const Vi
   ExpectSize(view.size);
   const std::vector<std::string> cameras = CameraNames(model);
   if (std::find(cameras.begin(), cameras.end(), view.camera) == cameras.end()) {
-    throw InputError(name + ": has no camera \"" + view.camera +
-                     "\". Choose one of: " + Joined(cameras));
+    throw InputError(
+        name + ": has no camera \"" + view.camera + "\". " +
+        DidYouMean(view.camera, std::vector<std::string_view>(cameras.begin(), cameras.end())) +
+        "Choose one of: " + Joined(cameras));
   }
   if (model.nskin == 0 && view.show && *view.show != Show::kBones) {
     throw InputError(name +

@@ -101,7 +101,7 @@ class FaultFinder {
     return is_limited != 0 && (range[0] > -needed || range[1] < needed);
   }
 
-  // Reports the first servo whose force is limited too far. The line in the message mends all
+  // Reports the first servo whose force is limited too far. The line in the message repairs all
   // servos.
   void CheckForceRanges() {
     for (const BoundServo* const servo : Servos()) {
@@ -170,7 +170,7 @@ class FaultFinder {
   }
 
   // Reports the first joint with a property that only a parent's defaults can give it. The line in
-  // the message mends all joints.
+  // the message repairs all joints.
   void CheckSprings() {
     for (const BoundServo* const servo : Servos()) {
       const int dof = servo->dof_address;

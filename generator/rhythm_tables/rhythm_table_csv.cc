@@ -55,7 +55,7 @@ class GridBuilder {
       StartPlane(csv, plane_deg);
     } else if (elevation_deg == previous_elevation_deg_) {
       csv.Fail("plane " + NumberText(plane_deg) + " deg, elevation " + NumberText(elevation_deg) +
-               " deg stands twice. Remove one of the rows");
+               " deg is given twice. Remove one of the rows");
     } else if (elevation_deg < previous_elevation_deg_) {
       csv.Fail("elevation " + NumberText(elevation_deg) + " deg does not increase (previous " +
                NumberText(previous_elevation_deg_) + ")");

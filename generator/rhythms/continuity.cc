@@ -222,7 +222,7 @@ class Checker {
       swung.Add(DegreesFromRadians(AngleBetween(humerus(other), q_TH)), kPi, plane_rad);
     }
     checks_.push_back(
-        CheckOf(swung, "the same with axial from swing, plane to plane", kSame_deg, "deg"));
+        CheckOf(swung, "humerus at 180, axial from swing, plane to plane", kSame_deg, "deg"));
   }
 
   // At hanging and straight up the plane has no meaning: the bones must be where they are for plane
@@ -275,10 +275,12 @@ class Checker {
       checks_.push_back(
           CheckOf(fastest_, "fastest bone per degree of elevation", kFastest, "deg/deg"));
       if (is_whole_) {
-        checks_.push_back(
-            CheckOf(fastest_low_, "the same below elevation 15", kFastestLow, "deg/deg"));
-        checks_.push_back(
-            CheckOf(fastest_behind_, "the same behind plane -60", kFastestBehind, "deg/deg"));
+        checks_.push_back(CheckOf(fastest_low_,
+                                  "fastest bone below elevation 15, per degree of elevation",
+                                  kFastestLow, "deg/deg"));
+        checks_.push_back(CheckOf(fastest_behind_,
+                                  "fastest bone behind plane -60, per degree of elevation",
+                                  kFastestBehind, "deg/deg"));
       }
       checks_.push_back(
           CheckOf(fastest_plane_, "fastest bone per degree of plane", kFastest, "deg/deg"));

@@ -49,7 +49,7 @@ RhythmCoefficients ReadRhythmCoefficients(std::istream& in, const std::string& n
                     [static_cast<std::size_t>(known - kGirdleAngleNames.begin())];
     if (place) {
       csv.Fail(std::string(*known) + " of " + std::string(csv.Field(rhythm)) +
-               " stands twice. Remove one of the rows");
+               " is given twice. Remove one of the rows");
     }
     place = LinearAngle{angle_rad(rest), factor(rest_factor), angle_rad(constant),
                         factor(per_elevation), factor(per_plane)};

@@ -214,7 +214,7 @@ class MappingReader {
   }
   [[noreturn]] void FailTwice() const {
     csv_.Fail((csv_.Field(part_) == kArm ? Quoted(csv_.Field(name_)) : Quoted(csv_.Field(part_))) +
-              " stands twice. Remove one of the rows");
+              " is given twice. Remove one of the rows");
   }
 
   std::size_t ExpectBy(const std::vector<std::string_view>& known) const {

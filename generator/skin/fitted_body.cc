@@ -178,7 +178,7 @@ MakeHumanFit ReadMakeHumanFit(std::istream& in, const std::string& name) {
     const std::string_view key = csv.Field(quantity);
     const auto found = std::find(missing.begin(), missing.end(), key);
     if (found == missing.end()) {
-      csv.Fail("'" + std::string(key) + "' is not known, or stands twice");
+      csv.Fail("'" + std::string(key) + "' is not known, or is given twice");
     }
     missing.erase(found);
     if (key == kVertexRow) {

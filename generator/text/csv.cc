@@ -183,7 +183,7 @@ CsvReader::CsvReader(std::istream& in, std::string name)
       Fail("column " + std::to_string(column - columns().begin() + 1) + " has no name");
     }
     if (std::find(columns().begin(), column, *column) != column) {
-      Fail("column '" + *column + "' stands twice. Rename or remove one");
+      Fail("column '" + *column + "' is given twice. Rename or remove one");
     }
   }
 }

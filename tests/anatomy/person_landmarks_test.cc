@@ -703,7 +703,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "t.csv:19: HH1 HH2 HH3 HH4 HH5: the sphere through these gives GH, which stands in "
                 "line 2 already. Remove that row or these"},
         CsvFlaw{"a number twice", [](CsvText& text) { text.rows.at(16).at(0) = "HH1"; },
-                "t.csv:18: 'HH1' stands twice. Number the points of the humeral head"},
+                "t.csv:18: 'HH1' is given twice. Number the points of the humeral head"},
         CsvFlaw{"in a segment's frame",
                 [](CsvText& text) {
                   const auto row = text.rows.at(12);

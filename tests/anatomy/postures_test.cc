@@ -78,7 +78,7 @@ INSTANTIATE_TEST_SUITE_P(
         CsvFlaw{"a row in capitals", [](CsvText& text) { text.Cell(0, "posture") = "Relaxed"; },
                 "t.csv: has no posture 'relaxed'. Add a row for it"},
         CsvFlaw{"a row twice", [](CsvText& text) { text.Cell(1, "posture") = "relaxed"; },
-                "t.csv:3: posture 'relaxed' stands twice. Remove one of the rows"},
+                "t.csv:3: posture 'relaxed' is given twice. Remove one of the rows"},
         CsvFlaw{"an angle above half a circle",
                 [](CsvText& text) { text.Cell(0, "ac_tilt_deg") = "180.5"; },
                 "t.csv:2: ac_tilt_deg is 180.5, expected -180 to 180"},

@@ -111,7 +111,7 @@ WRONG_TABLES = {
     "position twice": wrong(
         partial(repeat_line, line_of(40, 60)),
         line_of(40, 60) + 1,
-        *("plane 40 deg, elevation 60 deg stands twice", "Remove one"),
+        *("plane 40 deg, elevation 60 deg is given twice", "Remove one"),
     ),
     "elevations that do not increase": wrong(
         partial(put, line_of(0, 30), "elevation_deg", "24"),
@@ -146,7 +146,7 @@ WRONG_TABLES = {
         partial(add_column, "remark", "fine"), 1, "'remark' is not known", "Remove .* or correct"
     ),
     "column twice": wrong(
-        partial(rename_column, "origin", "plane_deg"), 1, "'plane_deg' stands twice", "Rename"
+        partial(rename_column, "origin", "plane_deg"), 1, "'plane_deg' is given twice", "Rename"
     ),
     "angle of 200": wrong(
         partial(put, line_of(40, 60), "gh_flexion_deg", "200"),

@@ -46,7 +46,7 @@ def read_map(path: Path) -> Rows:
     with path.open(newline="", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
     by_place = {(row["rhythm"], float(row["elevation_deg"]), float(row["plane_deg"])): row for row in rows}
-    assert len(by_place) == len(rows), "a position stands twice"
+    assert len(by_place) == len(rows), "a position is there twice"
     return by_place
 
 

@@ -176,7 +176,7 @@ BAD_INPUT: dict[str, tuple[tuple[str, str], str]] = {
     ),
     "bone twice": (
         ("humerus,body", "scapula,body"),
-        r"mapping\.csv:6: 'scapula' stands twice",
+        r"mapping\.csv:6: 'scapula' is given twice",
     ),
     "follower": (
         ("joint,raise", "joint,blade_up"),

@@ -161,5 +161,5 @@ def test_a_stature_that_nobody_has_is_refused(refuses: Refuses) -> None:
 @pytest.mark.parametrize("column", COLUMNS)
 def test_an_input_with_a_column_of_the_output_is_refused(refuses: Refuses, column: str) -> None:
     poses = f"elevation_deg,plane_deg,{column}\n60,0,1\n".encode()
-    because = (f"standard input:1: column '{column}' would stand twice",)
+    because = (f"standard input:1: column '{column}' would be there twice",)
     refuses("solve", "--in", "-", "--landmarks", because=because, stdin=poses)

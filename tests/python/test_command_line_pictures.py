@@ -366,7 +366,7 @@ def test_pictures_leave_the_motion_as_it_is(
 
 
 def test_the_summary_as_json_names_the_pictures(film: Film) -> None:
-    named = [film.summary["picture"], film.summary["video"], film.summary["frames"]]
+    named = [film.summary["out_picture"], film.summary["out_video"], film.summary["frames"]]
     assert named == [str(film.folder / "a.png"), str(film.folder / "a.mp4"), 7]
 
 
@@ -386,6 +386,7 @@ def literal(text: str) -> str:
         (("--size", "640x48O"), "--size 640x48O: expected WIDTHxHEIGHT"),
         (("--size", "640x480x2"), "--size 640x480x2: expected WIDTHxHEIGHT"),
         (("--size", "-640x480"), "--size -640x480: expected WIDTHxHEIGHT"),
+        (("--camera", "bakc"), "no camera \"bakc\". Did you mean 'back'? Choose one of: "),
         (("--camera", "below"), 'no camera "below". Choose one of: front, back, above, oblique'),
         (("--keyframe", "abduction"), 'no keyframe "abduction". Choose one of: hanging, relaxed, '),
         (("--show", "muscles"), "--show muscles: not known. Choose one of: skin, bones, both"),

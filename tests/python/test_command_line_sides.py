@@ -251,9 +251,9 @@ def test_json_names_the_file_of_the_controls(girdle_fine: Girdle, generated: Pat
     scene = generated / "scene.xml"
     words = ("simulate", scene, *RAISE, "--json")
     answer = json.loads(girdle_fine(*words, "--out-controls", "c.csv", "--out", "t.csv").text)
-    assert (answer["controls"], answer["trace"]) == ("c.csv", "t.csv")
+    assert (answer["out_controls"], answer["out"]) == ("c.csv", "t.csv")
     assert len((tmp_path / "c.csv").read_text().splitlines()) == answer["rows"] + 1
-    assert json.loads(girdle_fine(*words).text)["controls"] is None
+    assert json.loads(girdle_fine(*words).text)["out_controls"] is None
 
 
 REFUSED_CONTROLS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {

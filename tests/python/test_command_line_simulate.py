@@ -238,7 +238,7 @@ def test_the_summary_tells_what_the_trace_holds(girdle_fine: Girdle, scene: Path
     rows = read_trace((tmp_path / "trace.csv").read_text())
     errors_deg = [max(abs(row[f"target_{c}_deg"] - row[f"{c}_deg"]) for c in COORDINATES) for row in rows]
     assert summary["rows"] == len(rows)
-    assert summary["trace"] == "trace.csv"
+    assert summary["out"] == "trace.csv"
     assert summary["duration_s"] == rows[-1]["time_s"]
     assert summary["worst_tracking_error_deg"] == pytest.approx(max(errors_deg), abs=ROUNDING)
     assert summary["last_tracking_error_deg"] == pytest.approx(errors_deg[-1], abs=ROUNDING)
@@ -258,7 +258,7 @@ def test_the_text_gives_the_numbers_of_the_json(girdle_fine: Girdle, scene: Path
 
 def test_without_a_trace_no_file_is_written(girdle_fine: Girdle, scene: Path, tmp_path: Path) -> None:
     summary = json.loads(girdle_fine("simulate", scene, *RAISE, "--json").text)
-    assert summary["trace"] is None
+    assert summary["out"] is None
     assert contents(tmp_path) == {}
 
 
@@ -354,7 +354,7 @@ def replaced(line: int, old: str, new: str, *patterns: str) -> WrongMotion:
         replaced(3, ",40,", ",nan,", "elevation_deg is 'nan'", "finite"),
         replaced(3, "0.1,40,5,10", "0.1,40,5", "3 fields, expected 4"),
         replaced(1, "axial_deg", "axial", "'axial' is not known", "mean 'axial_deg'"),
-        replaced(1, "time_s", "axial_deg", "'axial_deg' stands twice", "Rename"),
+        replaced(1, "time_s", "axial_deg", "'axial_deg' is given twice", "Rename"),
         replaced(1, ",plane_deg", "", "'plane_deg' is missing"),
         WrongMotion(lambda motion: motion.splitlines()[0] + "\n", 1, ("no rows",)),
         WrongMotion(lambda _: "", 1, ("no header",)),

@@ -165,6 +165,7 @@ def test_bones_beside_a_body_that_has_them_are_refused(refuses: Refuses, options
     ("options", "because"),
     [
         (("--skin", "bodies"), "neither the word implicit, nor a folder, nor a mesh"),
+        (("--skin", "implicitt"), r"\. Did you mean 'implicit'\? "),
         (("--skin", "person.csv"), "neither the word implicit, nor a folder, nor a mesh"),
         (("--skin", "implicit", "--head", "cut"), "--head cut: only for the body of a folder"),
         (("--head", "cut"), "--head cut: add --skin FOLDER"),

@@ -272,7 +272,7 @@ def test_what_the_humerus_spins_straight_up_is_stated(measure: Measure) -> None:
     assert stated["value"] == pytest.approx(spin_deg, abs=1e-6)
     assert stated["where"] == "elevation 180, plane 90"
     assert round(spin_deg) == 121
-    assert checks["the same with axial from swing, plane to plane"]["value"] < 1e-9
+    assert checks["humerus at 180, axial from swing, plane to plane"]["value"] < 1e-9
 
 
 def names(answer: Answer) -> list[str]:

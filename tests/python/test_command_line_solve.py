@@ -501,7 +501,7 @@ def test_an_empty_word_is_no_number_of_threads(refuses: Refuses) -> None:
 
 def test_one_pose_has_no_threads(refuses: Refuses) -> None:
     pose = ("--elevation", "60", "--plane", "50")
-    refuses("solve", *pose, "--threads", "2", because=("--threads", "file", "leave it away"))
+    refuses("solve", *pose, "--threads", "2", because=("--threads", "file", "omit it"))
 
 
 @pytest.mark.parametrize("threads", THREADS)
@@ -605,7 +605,7 @@ WRONG_TABLES = {
     "missing column": mistake(1, "trial,elevation_deg,psi", "'plane_deg' is missing", "psi$"),
     "nearly a column": mistake(1, "trial,elevation_deg,plane", "'plane' is not known", "mean 'plane_deg'"),
     "duplicate column": mistake(
-        1, "plane_deg,elevation_deg,plane_deg", "'plane_deg' stands twice", "Rename or remove"
+        1, "plane_deg,elevation_deg,plane_deg", "'plane_deg' is given twice", "Rename or remove"
     ),
     "column without a name": mistake(1, ",elevation_deg,plane_deg", "column 1 has no name"),
     "short row": mistake(3, "b,30", "2 fields, expected 3", "trial,elevation_deg,plane_deg"),
@@ -623,7 +623,7 @@ WRONG_TABLES = {
     "comments alone": WrongTable("# nothing\n", 2, ("no header", "must name the columns")),
 } | {
     f"input column {name}": mistake(
-        1, f"{name},elevation_deg,plane_deg", f"'{name}' would stand twice", "Rename"
+        1, f"{name},elevation_deg,plane_deg", f"'{name}' would be there twice", "Rename"
     )
     for name in SOLVED_COLUMNS
 }

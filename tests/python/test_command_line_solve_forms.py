@@ -274,7 +274,7 @@ def test_columns_say_that_they_are_relative(girdle_fine: Girdle) -> None:
 
 
 def test_derivatives_are_not_those_of_relative_angles(refuses: Refuses) -> None:
-    because = ("--derivatives", "--relative-to", "Leave one of them away")
+    because = ("--derivatives", "--relative-to", "Omit one of them")
     refuses("solve", "--elevation", "60", "--plane", "40", *SINCE_HANGING, "--derivatives", because=because)
 
 
@@ -282,7 +282,7 @@ def test_an_answer_says_that_it_is_relative(girdle_fine: Girdle) -> None:
     pose = ("60", "50")
     assert json.loads(girdle_fine(*typed("json", pose, *SINCE_HANGING)).text)["relative_to"] == ("hanging")
     assert "relative_to" not in json.loads(girdle_fine(*typed("json", pose)).text)
-    line = "\nturned since the arm was hanging\n"
+    line = "\nturned since the arm was hanging (modelled)\n"
     assert line in girdle_fine(*typed("text", pose, *SINCE_HANGING)).text
     assert line not in girdle_fine(*typed("text", pose)).text
 
@@ -296,7 +296,7 @@ def test_an_answer_says_that_it_is_relative(girdle_fine: Girdle) -> None:
 def test_a_rhythm_that_does_not_reach_the_hanging_arm_has_no_turn_since_then(
     refuses: Refuses, form: str, rhythm: tuple[str, ...]
 ) -> None:
-    because = ("--relative-to hanging", "does not reach the hanging arm", "Leave --range clamp")
+    because = ("--relative-to hanging", "does not reach the hanging arm", "Omit --range clamp")
     refuses(*typed(form, ("60", "50"), *rhythm, *SINCE_HANGING), because=because)
 
 

@@ -493,7 +493,7 @@ def test_derivatives_stand_behind_all_other_columns(girdle_fine: Girdle) -> None
 @pytest.mark.parametrize("column", RATE_COLUMNS)
 def test_an_input_column_that_a_rate_is_called_is_refused(refuses: Refuses, column: str) -> None:
     poses = f"elevation_deg,plane_deg,{column}\n60,30,0\n".encode()
-    because = ("standard input:1: ", f"'{column}' would stand twice", "Rename")
+    because = ("standard input:1: ", f"'{column}' would be there twice", "Rename")
     refuses("solve", "--in", "-", "--derivatives", because=because, stdin=poses)
 
 
@@ -681,7 +681,7 @@ def test_an_unknown_posture_is_refused_with_the_known_one(refuses: Refuses, word
     ids=" ".join,
 )
 def test_a_posture_says_all_of_the_arm(refuses: Refuses, further: tuple[str, ...]) -> None:
-    because = ("--posture", "Leave the other options .* away")
+    because = ("--posture", "Omit the other options")
     refuses("solve", "--posture", "relaxed", *further, because=because)
 
 
@@ -772,7 +772,7 @@ def test_a_sweep_of_too_many_positions_is_refused(refuses: Refuses) -> None:
         (("--elevation=0:90:5",), ("--plane is missing",)),
         (("--plane=0:90:5",), ("--elevation is missing",)),
         (("--elevation=0:90:5", "--plane=4O"), ("--plane '4O'", "such as")),
-        (("--elevation=0:90:5", "--plane=0", "--json"), ("--json", "CSV", "leave --json away")),
+        (("--elevation=0:90:5", "--plane=0", "--json"), ("--json", "CSV", "omit --json")),
         (("--elevation=0:90:5", "--plane=0", "--in", "-"), ("--in", "exclude")),
         (("--elevation=60", "--plane=0", "--axial=0:10:5"), ("--axial '0:10:5'", "such as")),
         (("--elevation=60", "--plane=0", "--shrug=0:10:5"), ("--shrug '0:10:5'", "such as")),

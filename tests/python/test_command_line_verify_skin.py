@@ -656,7 +656,7 @@ def test_a_mapped_model_has_no_girdle_to_choose(refuses: Refuses, skinned: Path)
         MAPPING,
         "--girdle",
         "frozen",
-        because=("--girdle is for the skin", "Leave it away"),
+        because=("--girdle is for the skin", "Omit it"),
     )
 
 

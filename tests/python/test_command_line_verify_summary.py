@@ -64,7 +64,7 @@ def verdict_of(residuals: list[Residual]) -> str:
 
 
 def expect_verdict(lines: list[str], residuals: list[Residual]) -> None:
-    """It stands twice: behind what the report is about, and at the end."""
+    """It is printed twice: behind what the report is about, and at the end."""
     verdicts = [line for line in lines if re.match("(PASS|FAIL): ", line)]
     assert verdicts == 2 * [verdict_of(residuals)]
     assert lines[-1] == verdicts[1]
@@ -312,7 +312,7 @@ def test_the_full_report_fits_the_terminal(
 
 
 def test_all_lines_as_a_table_and_as_json_exclude_each_other(refuses: Refuses) -> None:
-    refuses("verify", TREE, "--full", "--json", because=("--full", "--json", "Leave --full away"))
+    refuses("verify", TREE, "--full", "--json", because=("--full", "--json", "Omit --full"))
 
 
 # --- Colour --------------------------------------------------------------------------------------

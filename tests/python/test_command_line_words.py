@@ -250,7 +250,40 @@ def test_an_option_of_another_verb_is_told_where_it_belongs(
 )
 def test_an_empty_word_is_refused_with_its_place(refuses: Refuses, words: Words, place: str) -> None:
     """As it comes from a shell variable that is not set."""
-    refuses(*words, because=(f"^girdle: {place}.*'': is empty", "Give it a value or leave it away"))
+    refuses(*words, because=(f"^girdle: {place}.*'': is empty", "Give it a value or omit it"))
+
+
+# --- Values --------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("words", "because"),
+    [
+        ((*POSE, "--digits"), "--digits: has no value. Give one, such as --digits N"),
+        (("solve", "--plane", "40", "--elevation"), "such as --elevation DEG"),
+        (
+            (*POSE, "--out", "-x.csv"),
+            "--out: has no value, because '-x.csv' is read as an option. Give one, such as --out FILE, "
+            "or write --out=-x.csv",
+        ),
+        ((*POSE, "--out", "--json"), "--out: has no value, because '--json' is read as an option"),
+        ((*POSE, "--digits", "3", "--digits=4"), "--digits: is given twice. Omit one of them"),
+        ((*POSE, "--json", "--json"), "--json: is given twice"),
+        ((*POSE, "--json=yes"), "--json: takes no value. Write --json alone, or omit it"),
+        ((*POSE, "flexion"), "'flexion': no option stands before it, and girdle solve takes no such word"),
+        (("verify", "a.xml", "b.xml"), "'b.xml': no option stands before it, and girdle verify takes only 1"),
+    ],
+    ids=repr,
+)
+def test_a_word_in_a_wrong_place_is_refused(refuses: Refuses, words: Words, because: str) -> None:
+    refuses(*words, because=("^girdle: " if because[0] in "-'" else "", re.escape(because)))
+
+
+def test_values_may_begin_with_a_minus(girdle_fine: Girdle, tmp_path: Path) -> None:
+    pose = ("solve", "--elevation", "60", "--plane", "-40")
+    assert girdle_fine(*pose).text == girdle_fine(*pose, "--axial", "-.0", "--out", "-").text
+    girdle_fine(*pose, "--out=-x.csv", cwd=tmp_path)
+    assert [path.name for path in tmp_path.iterdir()] == ["-x.csv"]
 
 
 # --- Help ----------------------------------------------------------------------------------------

@@ -323,5 +323,5 @@ def test_zeros_and_position_servos_exclude_each_other(refuses: Refuses) -> None:
         "isb",
         "--actuation",
         "position",
-        because=("--axial-from: position servos", "Leave it away"),
+        because=("--axial-from: position servos", "Omit it"),
     )

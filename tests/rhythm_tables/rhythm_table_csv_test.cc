@@ -213,7 +213,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         CsvFlaw{"a row twice",
                 [](CsvText& text) { text.rows.insert(text.rows.begin() + 3, text.rows[2]); },
-                "t.csv:5: plane 0 deg, elevation 25 deg stands twice. Remove one of the rows"},
+                "t.csv:5: plane 0 deg, elevation 25 deg is given twice. Remove one of the rows"},
         CsvFlaw{"elevations in disorder",
                 [](CsvText& text) { std::swap(text.rows[1], text.rows[2]); },
                 "t.csv:4: elevation 20 deg does not increase (previous 25)"},

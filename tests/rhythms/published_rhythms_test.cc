@@ -207,7 +207,7 @@ INSTANTIATE_TEST_SUITE_P(
         CsvFlaw{"unknown angle", [](CsvText& text) { text.Cell(6, "angle") = "ac_tilt"; },
                 "t.csv:8: angle 'ac_tilt' is not known. Correct the name"},
         CsvFlaw{"row twice", [](CsvText& text) { text.rows.push_back(text.rows[7]); },
-                "t.csv:21: st_upward_rotation of braman stands twice. Remove one of the rows"},
+                "t.csv:21: st_upward_rotation of braman is given twice. Remove one of the rows"},
         CsvFlaw{"factor in percent", [](CsvText& text) { text.Cell(7, "per_elevation") = "-30.1"; },
                 "t.csv:9: per_elevation is -30.1, expected -1 to 1"},
         CsvFlaw{"no number", [](CsvText& text) { text.Cell(7, "rest_deg") = "-5.A"; },

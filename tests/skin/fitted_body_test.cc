@@ -161,10 +161,10 @@ TEST_P(FlawedFit, IsRefusedWithItsLine) {
 INSTANTIATE_TEST_SUITE_P(
     Rows, FlawedFit,
     testing::Values(CsvFlaw{"unknown", [](CsvText& text) { text.Cell(0, "quantity") = "knee"; },
-                            "f.csv:2: 'knee' is not known, or stands twice"},
+                            "f.csv:2: 'knee' is not known, or is given twice"},
                     CsvFlaw{"twice",
                             [](CsvText& text) { text.Cell(1, "quantity") = "notch_vertex"; },
-                            "f.csv:3: 'notch_vertex' is not known, or stands twice"},
+                            "f.csv:3: 'notch_vertex' is not known, or is given twice"},
                     CsvFlaw{"missing", [](CsvText& text) { text.RemoveRow(0); },
                             "f.csv:11: no row for notch_vertex"},
                     CsvFlaw{"half a vertex", [](CsvText& text) { text.Cell(0, "value") = "1.5"; },

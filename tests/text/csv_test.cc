@@ -153,7 +153,7 @@ INSTANTIATE_TEST_SUITE_P(
         RefusedText{"column without a name", "# one\na,,b\n1,2,3\n",
                     "t.csv:2: column 2 has no name"},
         RefusedText{"two columns of one name", "a,b,a\n1,2,3\n",
-                    "t.csv:1: column 'a' stands twice. Rename or remove one"},
+                    "t.csv:1: column 'a' is given twice. Rename or remove one"},
         RefusedText{"field too few", "a,b\n1,2\n3\n",
                     "t.csv:3: 1 field, expected 2 as in the header (a,b)"},
         RefusedText{"field too many", "a,b\n1,2,3\n",
