@@ -109,7 +109,7 @@ std::string SceneXml(const std::string& model_file, const Anatomy& anatomy, Side
   world.Add("light")
       .Set("directional", "true")
       .Set("pos", Vector3{1.5, -1.0, 3.0})
-      .Set("dir", Vector3{-0.5, 0.3, -0.8})
+      .Set("dir", Vector3{-0.6, 0.3, -0.7})
       .Set("diffuse", std::array{0.45, 0.45, 0.45});
   // A light for the back, where the scapula is.
   world.Add("light")

@@ -86,10 +86,10 @@ def make(girdle: Girdle, quick: bool) -> Figure:
     return Figure(
         NAME,
         "What an axial rotation of a laboratory is to the rhythm",
-        "ISB's axial rotation, the third angle of Y-X'-Y'' of the humerus in the thorax, where "
-        "--axial is 0 and counted from the rhythm's own turn. A column of measured axial rotation is "
-        "off by this much if it is given as --axial without --axial-from isb. Hanging and straight "
-        "up it means something only together with the plane.",
+        "ISB's axial rotation is the third angle of Y-X'-Y'' of the humerus in the thorax. The figure "
+        "shows it for --axial 0, which is the rhythm's own humerus. Measured angles of ISB that are given "
+        "as --axial without --axial-from isb are wrong by this much. At elevations 0 and 180 the angle "
+        "has a meaning only together with the plane.",
         "Three curves, of planes 0, 40 and 90, that fall from near zero or minus eighty to between "
         "minus fifty and minus eighty degrees, and a map over plane and elevation that goes from "
         "positive behind the body to minus 130 across the chest.",

@@ -23,7 +23,7 @@ QUICK_STEP_DEG = 15
 FIRST_PLANE_DEG = -180
 LAST_PLANE_DEG = 180
 
-BEYOND = "beyond"
+BEYOND = "out of reach"
 # From the surest to what no arm takes; grey ones of four lightnesses.
 COLORS = {"measured": BLUE, "derived": SKY, "modelled": "#dbe9f1", BEYOND: "#8c8c8c"}
 
@@ -90,14 +90,14 @@ def make(girdle: Girdle, quick: bool) -> Figure:
     return Figure(
         NAME,
         "What an arm reaches, and where each part of it comes from",
-        "Measured and derived are the table's; modelled goes on by a rule; a direction beyond is "
-        "answered by one that is reached, and the answer says so. Circles are where eight people's "
+        "Measured and derived are the table's; modelled goes on by a rule; a direction out of reach "
+        "is answered by one that is reached, and the answer says so. Circles are where eight people's "
         "arms were for daily tasks and at the ends of their reach (Pearl et al. 1992), numbered as "
         "below. At elevations 0 and 180 all planes are one direction.",
         "A map of elevation over plane. A rectangle from plane 0 to 90 and elevation 15 to 120 is "
         "measured, its lower edge derived. Around it lies what is modelled, from plane -95 up to "
         "elevation 62.5, then less and less to plane -30 from elevation 115 on, and to plane 135 "
-        "in front. The rest is beyond. All numbered circles lie within.",
+        "in front. The rest is out of reach. All numbered circles lie within.",
         [positions_table(girdle, positions)],
         girdle.take_commands(),
     )

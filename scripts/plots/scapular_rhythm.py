@@ -58,6 +58,11 @@ class Angle:
     name: str
     more: str  # what a larger value means
 
+    @property
+    def label(self) -> str:
+        sign = "-" if self.sign < 0 else ""
+        return f"{self.more} (deg) →\n{sign}{self.column}"
+
 
 ANGLES = (
     Angle("st_upward_rotation_deg", -1, "scapula", "upward rotation", "more upward rotation"),
@@ -179,7 +184,7 @@ def make(girdle: Girdle, quick: bool) -> Figure:
         draw_girdle(panel, rows, angle)
         draw_points(panel, table, angle)
         # The arrow points up: the label is turned.
-        panel.set_ylabel(f"{angle.more} (deg) →", fontsize=10)
+        panel.set_ylabel(angle.label, fontsize=9)
         panel.set_xlim(0, LAST_ELEVATION_DEG)
         panel.set_xticks(range(0, LAST_ELEVATION_DEG + 1, 30))
         panel.set_xlabel("humeral elevation (deg)", fontsize=10)
@@ -203,7 +208,8 @@ def make(girdle: Girdle, quick: bool) -> Figure:
         "thorax and scapula in clavicle; the published scapula in the thorax differs a little from "
         "these two together, so that the lines of the scapula pass beside the points. The signs are "
         "those of laboratories: up is more upward rotation, more posterior tilt, more internal "
-        "rotation, a more elevated and a more retracted clavicle. The other rhythms are those of "
+        "rotation, a more elevated and a more retracted clavicle. Each axis names the column of "
+        "girdle solve, with a minus where its sign is the opposite. The other rhythms are those of "
         f"girdle compare in plane {COMPARED_PLANE_DEG}. Inman and Braman say nothing but upward "
         "rotation.",
         "Five plots against humeral elevation. The scapula turns upward and tilts to the back while "

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Girdle authors
 # SPDX-License-Identifier: Apache-2.0
-"""Fig. 14 of the paper: the skin near the AC joint, with the measured girdle and with GH alone."""
+"""Fig. 14 of the paper: the skin near the AC joint, with the measured girdle and with a frozen one."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ Line = dict[str, Any]
 
 ELEVATIONS_DEG = (90, 120)
 CAMERAS = ("front", "back")
-GIRDLES = {"measured": "(a) measured girdle", "frozen": "(b) GH alone"}
+GIRDLES = {"measured": "(a) measured girdle", "frozen": "(b) frozen girdle"}
 
 # The first is the one in the picture.
 SIDES = ("right", "left")
@@ -109,7 +109,7 @@ def skin_lines(skin: SkinReport) -> list[NumberTable]:
                 ["-", ""] if of_girdle is None else [significant(of_girdle["value"], 3), verdict(of_girdle)]
             )
         rows[side].append([*row, line["unit"], required(line)])
-    header = ["of", "(a) measured", "", "(b) GH alone", "", "unit", "required"]
+    header = ["of", "(a) measured", "", "(b) frozen", "", "unit", "required"]
     return [
         NumberTable(f"Skin lines of girdle verify, {side} side", header, lines)
         for side, lines in rows.items()

@@ -572,8 +572,8 @@ def test_an_empty_word_is_no_number(refuses: Refuses, option: str) -> None:
         (("--axial", "5"), ("nothing to solve", "--elevation", "--plane", "--in")),
         (("--elevation", "60", "--plane", "50", "--in", "-"), ("--in", "exclude")),
         (("--in", "-", "--json"), ("--json", "CSV")),
-        (("--elevation", "60", "--elevation", "61", "--plane", "50"), ("--elevation", "1")),
-        (("--elevation",), ("--elevation", "missing")),
+        (("--elevation", "60", "--elevation", "61", "--plane", "50"), ("--elevation", "given twice")),
+        (("--elevation",), ("--elevation: has no value",)),
     ],
 )
 def test_an_incomplete_or_contradictory_question_is_refused(

@@ -282,7 +282,7 @@ def test_a_word_in_a_wrong_place_is_refused(refuses: Refuses, words: Words, beca
 def test_values_may_begin_with_a_minus(girdle_fine: Girdle, tmp_path: Path) -> None:
     pose = ("solve", "--elevation", "60", "--plane", "-40")
     assert girdle_fine(*pose).text == girdle_fine(*pose, "--axial", "-.0", "--out", "-").text
-    girdle_fine(*pose, "--out=-x.csv", cwd=tmp_path)
+    girdle_fine(*pose, "--out=-x.csv")
     assert [path.name for path in tmp_path.iterdir()] == ["-x.csv"]
 
 
