@@ -103,8 +103,8 @@ struct Ellipsoid {
 /// standard error 4 cm). The length is that of the whole humerus: GH to elbow, plus 2.3 cm of head
 /// above and 1.5 cm of joint surface below.
 inline constexpr double kAdultStature_m = 1.71;
-/// Height of a standing person's jugular notch as a share of the stature. It is the shoulder height
-/// of Drillis and Contini 1966, which is that of the notch.
+/// Height of a standing person's jugular notch as a share of the stature. Drillis and
+/// Contini 1966 call this height the shoulder's.
 inline constexpr double kJugularNotchShare = 0.82;
 /// The two parts of the coracoclavicular ligament.
 enum class LigamentName { kConoid, kTrapezoid };

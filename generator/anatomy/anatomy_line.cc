@@ -127,7 +127,10 @@ void ExpectPossible(const Anatomy& anatomy, const std::string& place) {
         name);
   }
   for (std::size_t i = 0; i < kLigamentCount; ++i) {
-    expect(anatomy.ligaments[i].slack_m > 0 && anatomy.ligaments[i].stiffness_N_per_m > 0,
+    const Ligament& ligament = anatomy.ligaments[i];
+    expect(ligament.slack_m > 0 && ligament.slack_m <= kFarthest_m &&
+               ligament.stiffness_N_per_m > 0 && is_near(ligament.clavicle_m) &&
+               is_near(ligament.scapula_m),
            kLigamentNames[i]);
   }
   expect(anatomy.jugular_notch_height_m > 0 && anatomy.jugular_notch_height_m <= kFarthest_m,

@@ -20,8 +20,8 @@ namespace girdle {
 
 /// Returns the anatomy of a line. Throws InputError that names `place` if the line is not one that
 /// AnatomyAsLine returns: another row than expected, another count of numbers, a number that is not
-/// finite, a length of more than 10 m, or a mass, moment of inertia, radius, stiffness or height
-/// that is not positive.
+/// finite, a length or a place more than 10 m away, or a mass, moment of inertia, radius, slack
+/// length, stiffness or height that is not positive.
 [[nodiscard]] Anatomy AnatomyFromLine(const std::string& line, const std::string& place);
 
 /// Returns whether two anatomies have equal numbers, but for the rounding of the machines that

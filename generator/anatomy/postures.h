@@ -23,7 +23,7 @@ struct Posture {
                                   const std::string& posture);
 
 /// Returns the pose of a posture with the arm straight down. The humerus has the turn about its
-/// long axis that the rhythm's lowest arm has: GH = (q_TC q_CS)^-1 Ry(tau).
+/// long axis that the rhythm's lowest arm has, tau: q_SH = (q_TC q_CS)^-1 Ry(tau).
 [[nodiscard]] ShoulderPose HangingIn(const Posture& posture, const ShoulderRhythm& rhythm) noexcept;
 
 }  // namespace girdle

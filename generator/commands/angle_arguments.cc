@@ -34,8 +34,8 @@ void AddConventionArgument(CLI::App& verb, AngleArguments& arguments) {
 
 void AddUnitArgument(CLI::App& verb, AngleArguments& arguments) {
   verb.add_option("--angles", arguments.unit,
-                  "Unit of the angles of the file: deg (default) or rad; has to be said of a file "
-                  "that looks like radians")
+                  "Unit of the angles of the file: deg (default) or rad; required if the numbers "
+                  "look like radians")
       ->type_name("WORD");
 }
 

@@ -59,8 +59,8 @@ ShoulderModelOptions ModelOptions(const GenerateArguments& arguments,
   }
   if (arguments.thorax_contact && options.lead == Lead::kScapula) {
     throw InputError(
-        "--thorax-contact: not known where the scapula leads, whose place it would push. Leave it "
-        "away, or choose --lead clavicle");
+        "--thorax-contact: not available with --lead scapula, which drives the scapula's place. "
+        "Omit it, or choose --lead clavicle");
   }
   ChooseWord("--axial-from", arguments.axial_from, options.axial_from);
   for (const auto& [option, given] :
@@ -68,15 +68,15 @@ ShoulderModelOptions ModelOptions(const GenerateArguments& arguments,
         std::pair("--offsets", arguments.offsets), std::pair("--rates", arguments.rates)}) {
     if (given && options.actuation == Actuation::kPosition) {
       throw InputError(std::string(option) +
-                       ": position servos are given joint angles and have no such command. Leave "
-                       "it away, or choose --actuation plugin");
+                       ": position servos are given joint angles and have no such command. Omit "
+                       "it, or choose --actuation plugin");
     }
   }
   if (arguments.rates) {
     ExpectDerivatives("--rates", arguments.rhythm);
     if (options.assembly == Assembly::kLoop) {
       throw InputError(
-          "--rates: not known for the assembly loop. Omit it, or choose --assembly tree");
+          "--rates: not available for the assembly loop. Omit it, or choose --assembly tree");
     }
   }
   options.table = rhythm.built_in();
@@ -227,15 +227,16 @@ void AddGenerateCommand(CLI::App& program) {
                      "the thorax, and a constraint closes the AC joint)")
         ->type_name("WORD");
     verb->add_option("--lead", arguments->lead,
-                     "Of a loop: clavicle (default: its angles are driven and the scapula's place "
+                     "Driven bone of a loop: clavicle (default: its angles are driven and the "
+                     "scapula's place "
                      "follows) or scapula (its place is driven and the clavicle follows)")
         ->type_name("WORD");
     verb->add_option("--actuation", arguments->actuation,
                      "plugin (default: commands of elevation, plane and axial turn) or position (a "
-                     "native position servo a coordinate, for where no plugin runs)")
+                     "native position servo for each coordinate, where no plugin runs)")
         ->type_name("WORD");
     AddAxialFromArgument(*verb, arguments->axial_from,
-                         "What the command axial is counted from (default rhythm)");
+                         "Zero of the command axial (default rhythm)");
     verb->add_flag("--offsets", arguments->offsets,
                    "With commands for shrug and protraction on top of the rhythm");
     verb->add_flag("--rates", arguments->rates,

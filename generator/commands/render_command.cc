@@ -42,8 +42,7 @@ RenderRequest Requested(const RenderArguments& arguments) {
         "which pose? Give either --keyframe, or --elevation and --plane, and omit the other");
   }
   if (arguments.elevation.empty() && !arguments.plane.empty()) {
-    throw InputError("--plane " + arguments.plane +
-                     ": of which elevation? Give --elevation DEG as well");
+    throw InputError("--plane " + arguments.plane + ": no elevation is given. Add --elevation DEG");
   }
   if (!arguments.elevation.empty()) {
     const double elevation_deg = ElevationArgument_deg("--elevation", arguments.elevation,
@@ -53,9 +52,12 @@ RenderRequest Requested(const RenderArguments& arguments) {
     request.pose = ArmCommand{RadiansFromDegrees(elevation_deg), RadiansFromDegrees(plane_deg)};
   } else if (!arguments.angles.convention.empty()) {
     throw InputError("--convention " + arguments.angles.convention +
-                     ": of which elevation? Give --elevation DEG as well");
+                     ": no elevation is given. Add --elevation DEG");
   }
   ChooseWord("--girdle", arguments.girdle, request.girdle);
+  if (arguments.elevation.empty() && request.girdle == GirdleMotion::kMeasured) {
+    ExpectNoRhythm(arguments.rhythm, "a keyframe has its own pose. Give --elevation DEG as well");
+  }
   if (!arguments.side.empty()) {
     if (arguments.elevation.empty() && request.girdle == GirdleMotion::kMeasured) {
       throw InputError("--side " + arguments.side +

@@ -57,6 +57,17 @@ void AddRhythmArguments(CLI::App& verb, RhythmArguments& arguments) {
       ->type_name("WORD");
 }
 
+void ExpectNoRhythm(const RhythmArguments& arguments, const std::string& reason) {
+  for (const auto& [option, text] :
+       {std::pair("--table", &arguments.table),
+        std::pair("--interpolation", &arguments.interpolation),
+        std::pair("--closure", &arguments.closure), std::pair("--range", &arguments.range)}) {
+    if (!text->empty()) {
+      throw InputError(std::string(option) + " " + *text + ": " + reason);
+    }
+  }
+}
+
 RhythmChoice ChoiceFrom(const RhythmArguments& arguments) {
   RhythmChoice choice = ChoiceOfWords(arguments);
   if (!arguments.table.empty()) {

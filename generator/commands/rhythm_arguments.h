@@ -31,6 +31,9 @@ void AddTableArgument(CLI::App& verb, std::string& table);
 /// Returns the file that `--table` names. Empty if `--table` is a word or is not given.
 [[nodiscard]] std::string TableFile(const std::string& table);
 
+/// Throws InputError for the first option of the rhythm that is given; `reason` ends the message.
+void ExpectNoRhythm(const RhythmArguments& arguments, const std::string& reason);
+
 /// Returns the parts of the rhythm that the user chose, and only those. Throws InputError for an
 /// unknown word, with the known ones, and for a table that is neither a word nor a file with a
 /// table.

@@ -87,8 +87,8 @@ double LongestMotion_s(const SimulateArguments& arguments) {
 MotionRequest Requested(const SimulateArguments& arguments) {
   if (arguments.elevation.has_value() == arguments.in.has_value()) {
     throw InputError(
-        "no motion, or two. Give either --elevation FROM:TO, such as --elevation 0:150, or --in "
-        "FILE");
+        "a motion is needed, and only one. Give either --elevation FROM:TO, such as --elevation "
+        "0:150, or --in FILE");
   }
   MotionRequest request;
   if (!arguments.side.empty()) {
@@ -97,7 +97,8 @@ MotionRequest Requested(const SimulateArguments& arguments) {
   request.axial_from = AxialFromOf(arguments.axial_from, arguments.angles);
   if (!arguments.axial_from.empty() && !arguments.in) {
     throw InputError(
-        "--axial-from says how the column axial_deg of a motion is read. Give --in FILE, or omit it");
+        "--axial-from says how the column axial_deg of a motion is read. Give --in FILE, or omit "
+        "it");
   }
   const double longest_s = LongestMotion_s(arguments);
   if (arguments.in) {

@@ -125,10 +125,11 @@ void AddSkinArguments(CLI::App& verb, SkinArguments& arguments) {
                   "(.glb, .gltf, .obj: closed, in meters); bones are fitted to the latter two")
       ->type_name("WORD|FOLDER|MESH");
   verb.add_option("--skin-landmarks", arguments.landmarks,
-                  "Of the person whose mesh it is: a CSV in the mesh's coordinates, with 'lab' as "
+                  "Landmarks of the person whose mesh it is: a CSV in the mesh's coordinates, with "
+                  "'lab' as "
                   "the segment of every row, as in data/example_lab_landmarks.csv")
       ->type_name("FILE");
-  verb.add_option("--head", arguments.head, "Of a folder's body: keep (default) or cut")
+  verb.add_option("--head", arguments.head, "Head of a folder's body: keep (default) or cut")
       ->type_name("WORD");
 }
 

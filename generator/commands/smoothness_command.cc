@@ -153,10 +153,11 @@ std::optional<LandmarkSkin> ChosenSkin(const SkinArguments& arguments) {
 }
 
 bool Measure(const SmoothnessArguments& arguments) {
-  const RhythmChoice said = ChoiceFrom(arguments.rhythm);
-  const ShoulderRhythm rhythm = ChosenRhythm(Resolve(said));
+  const RhythmChoice chosen = ChoiceFrom(arguments.rhythm);
+  const ResolvedRhythm checked = Resolve(chosen);
+  const ShoulderRhythm rhythm = ChosenRhythm(checked);
   // The interpolations are compared on the chosen table, by default the measured one.
-  const ResolvedRhythm compared = Resolve(Over(said, {.table = BuiltInTable::kMeasured}));
+  const ResolvedRhythm compared = Resolve(Over(chosen, {.table = BuiltInTable::kMeasured}));
   const std::optional<LandmarkSkin> landmarks = ChosenSkin(arguments.skin);
   std::vector<InterpolationJumps> jumps;
   std::optional<SkinContinuity> skin;
@@ -175,9 +176,10 @@ bool Measure(const SmoothnessArguments& arguments) {
     Print(AsJson(rhythm, jumps, checks, skin, passed));
     return passed;
   }
-  Print("table   " + compared.table_name() + "\n" + JumpsAsText(jumps) +
-        (skin ? "\n" + SkinContinuityAsText(*skin) : "") + "\nrhythm  " + TextOf(rhythm.options()) +
-        "\n" + ChecksAsText(checks) + "\n" + (passed ? "all checks pass\n" : "some checks fail\n"));
+  Print("interpolations compared on the table " + compared.table_name() + "\n" +
+        JumpsAsText(jumps) + (skin ? "\n" + SkinContinuityAsText(*skin) : "") + "\nrhythm  " +
+        checked.text() + "\n" + ChecksAsText(checks) + "\n" +
+        (passed ? "all checks pass\n" : "some checks fail\n"));
   return passed;
 }
 
@@ -186,7 +188,7 @@ bool Measure(const SmoothnessArguments& arguments) {
 void AddSmoothnessCommand(CLI::App& program, int& status) {
   auto arguments = std::make_shared<SmoothnessArguments>();
   CLI::App* verb = program.add_subcommand(
-      "smoothness", "How smooth the interpolations are, and what a rhythm keeps");
+      "smoothness", "How smooth the interpolations are, and which checks a rhythm passes");
   AddRhythmArguments(*verb, arguments->rhythm);
   AddSkinArguments(*verb, arguments->skin);
   verb->add_flag("--json", arguments->json, "The report as JSON");

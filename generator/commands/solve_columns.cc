@@ -18,7 +18,7 @@ using Stems = std::vector<std::string>;
 
 constexpr std::array<const char*, 3> kAxes = {"_x", "_y", "_z"};
 
-// What the names of rotations have behind their stems.
+// Returns the part of a rotation's name behind its stem.
 std::string SinceText(const SolveOutput& output) { return output.since ? "_since_hanging" : ""; }
 
 Stems AngleStems(const SolveOutput& output) {

@@ -156,7 +156,7 @@ int ChosenDigits(const std::optional<std::string>& text) {
 SolveOutput ChosenOutput(const SolveArguments& arguments, const ShoulderRhythm& rhythm) {
   if (!arguments.landmarks && IsAnatomyChosen(arguments.anatomy)) {
     throw InputError(
-        "whose shoulder it is changes no angle, only where landmarks are. Add --landmarks, or "
+        "the options of a body change no angle, only landmarks. Add --landmarks, or "
         "omit --anatomy, --ellipsoids and the measures");
   }
   SolveOutput output;
@@ -213,8 +213,9 @@ void SolvePosture(const SolveArguments& arguments) {
   }
   if (arguments.elevation_deg || arguments.plane_deg || arguments.axial_deg ||
       !arguments.axial_from.empty() || arguments.shrug_deg || arguments.protraction_deg ||
+      !arguments.angles.convention.empty() || !arguments.angles.unit.empty() ||
       arguments.derivatives || !arguments.in.empty() || arguments.threads) {
-    throw InputError("--posture says all of the arm. Omit the other options of the arm");
+    throw InputError("--posture gives the whole arm. Omit the other options of the arm");
   }
   const ShoulderRhythm rhythm = ChosenRhythm(arguments.rhythm);
   const ShoulderPose pose = HangingIn(RelaxedStanding(), rhythm);
@@ -400,7 +401,7 @@ void AddSolveCommand(CLI::App& program) {
             "that the bone has there; needs a rhythm that is smooth, exact and whole")
         ->type_name("hanging");
     verb->add_option("--digits", arguments->digits,
-                     "Decimals of the numbers in CSV and text, 0 to 15 (default 6)")
+                     "Most decimals of a number in CSV and text, 0 to 15 (default 6)")
         ->type_name("N");
     verb->add_flag("--landmarks", arguments->landmarks,
                    "With positions in the thorax in mm, x forward, y up, z to the right, from IJ: "

@@ -133,8 +133,8 @@ bool LooksLikeOption(const std::string& word) {
   return word.size() > 1 && word[0] == '-' && (std::isdigit(word[1]) == 0) && word[1] != '.';
 }
 
-std::string OneValueOf(const std::string& name, const CLI::Option& option) {
-  return "Give one, such as " + name + " " + option.get_type_name();
+std::string FormOf(const std::string& name, const CLI::Option& option) {
+  return "Write it as " + name + " " + option.get_type_name();
 }
 
 // Expects a value behind an option that has one, and none behind another. `next` is the word that
@@ -152,12 +152,27 @@ void ExpectValue(const std::string& word, const std::string* next, const CLI::Op
     return;
   }
   if (next == nullptr) {
-    throw InputError(name + ": has no value. " + OneValueOf(name, option));
+    throw InputError(name + ": has no value. " + FormOf(name, option));
+  }
+  if (next->starts_with("--")) {
+    throw InputError(name + ": has no value, because the option " + *next + " follows. " +
+                     FormOf(name, option));
   }
   if (LooksLikeOption(*next)) {
-    throw InputError(name + ": has no value, because '" + *next + "' is read as an option. " +
-                     OneValueOf(name, option) + ", or write " + name + "=" + *next);
+    throw InputError(name + ": has no value, because '" + *next + "' is read as an option. Write " +
+                     name + "=" + *next + " if it is the value");
   }
+}
+
+// Expects a word that begins with one dash to be -h.
+void ExpectShortOption(const CLI::App& verb, const std::string& word) {
+  if (word == "-h") {
+    return;
+  }
+  const std::vector<std::string> names = OptionsOf(verb);
+  throw InputError(word + ": options begin with two dashes. " +
+                   DidYouMean("-" + word, ViewsOf(names)) + "See girdle " + verb.get_name() +
+                   " --help");
 }
 
 // Expects each option once, values where options have them, and no word that belongs to none.
@@ -180,12 +195,16 @@ void ExpectValues(const CLI::App& verb, std::span<const std::string> words) {
         throw InputError(name + ": is given twice. Omit one of them");
       }
       i += option->get_items_expected_max() > 0 && name.size() == word.size() ? 1 : 0;
-    } else if (!LooksLikeOption(word) && ++alone > most_alone) {
-      throw InputError("'" + word + "': no option stands before it, and girdle " + verb.get_name() +
-                       (most_alone == 0
-                            ? " takes no such word. "
-                            : " takes only " + CountText(most_alone, "such word") + ". ") +
-                       "See girdle " + verb.get_name() + " --help");
+    } else if (LooksLikeOption(word)) {
+      ExpectShortOption(verb, word);
+    } else if (++alone > most_alone) {
+      throw InputError(
+          "'" + word + "': no option stands before it, and girdle " + verb.get_name() +
+          (most_alone == 0 ? " takes no such word. "
+                           : " takes only " + CountText(most_alone, "such word") + ". ") +
+          (most_alone == 0 && HasOption(verb, "--in") ? "If it is a file, write --in " + word + ". "
+                                                      : "") +
+          "See girdle " + verb.get_name() + " --help");
     }
   }
 }
@@ -200,9 +219,14 @@ void ExpectKnownWords(const CLI::App& program, const std::vector<std::string>& w
     return;
   }
   if (words.front().starts_with("--") && !HasOption(program, words.front())) {
+    const std::vector<std::string> names = OptionsOf(program);
+    const std::string meant = DidYouMean(words.front(), ViewsOf(names));
     throw InputError(words.front() +
-                     ": stands before the verb. Give the verb first, such as girdle solve "
-                     "--elevation 90 --plane 40\nSee girdle --help");
+                     (meant.empty()
+                          ? ": stands before the verb. Give the verb first, such as girdle "
+                            "solve --elevation 90 --plane 40"
+                          : ": girdle has no such option. " + meant) +
+                     "\nSee girdle --help");
   }
   if (words.front().starts_with('-')) {
     return;

@@ -19,8 +19,8 @@ namespace girdle {
 /// - an option without its value, with a value that it does not take, or given twice;
 /// - more words without an option than the verb takes.
 ///
-/// `words` are those behind the program's name. What values mean is not checked, nor are words
-/// behind `--`.
+/// `words` are those behind the program's name. Values themselves are not checked, nor are
+/// words behind `--`.
 void ExpectKnownWords(const CLI::App& program, const std::vector<std::string>& words);
 
 }  // namespace girdle

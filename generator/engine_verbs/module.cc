@@ -434,6 +434,20 @@ std::string AnatomyRemark(const std::optional<Anatomy>& said, const std::optiona
   return "";
 }
 
+// Returns a remark if the model fails by no more than the rounding of its numbers explains.
+std::string RoundingRemark(const ResidualReport& report) {
+  // MuJoCo writes six digits: 5e-7 of a quaternion, and a chain of some of them.
+  constexpr double kRounding = 1e-3;
+  const auto is_small = [](const Residual& residual) {
+    return residual.passed() || (residual.bound == Bound::kAtMost && residual.value < kRounding &&
+                                 (residual.unit == "deg" || residual.unit == "mm"));
+  };
+  return report.passed() || !std::ranges::all_of(report.residuals, is_small)
+             ? ""
+             : "Every failure is below 0.001 deg or mm: MuJoCo saves a model with six digits. "
+               "Verify the file that girdle generate wrote, or include it in yours.";
+}
+
 Residual TimestepResidual(const mjOption& option, Assembly assembly) {
   constexpr double kMilliseconds = 1000;
   return {"time step",
@@ -468,6 +482,9 @@ VerifyResult Verify(const std::string& model_path, const std::string& plugin,
   }
   report.residuals.insert(report.residuals.begin(),
                           TimestepResidual(simulation.model().opt, simulation.elements().assembly));
+  if (report.remark.empty()) {
+    report.remark = RoundingRemark(report);
+  }
   return {ReportIn(form, report), report.passed()};
 }
 

@@ -22,14 +22,16 @@ namespace girdle {
 /// The limits keep glenohumeral flexion small: behind the frontal plane it is -57 deg at (90, -30)
 /// and -87 deg at (90, -60), where no shoulder goes and X-Z'-Y'' hinges lock.
 ///
-/// The answer to a direction that is not reached is usually n, the nearest reached direction. It is
-/// n if n is at most 20 deg away and no second direction competes. Two directions compete in the
-/// wedge that ends at hanging, between planes 135 and -95. In the middle of the wedge and farther
-/// from the reach the answer passes over to h, a direction in the middle of the reach:
+/// theta is the elevation [deg] of the commanded direction, plane its plane [deg], and distance the
+/// angle [deg] between it and n, the nearest reached direction. The answer to a direction that is
+/// not reached is usually n. It is n if n is at most 20 deg away and no second direction competes.
+/// Two directions compete in the wedge that ends at hanging, between planes 135 and -95. In the
+/// middle of the wedge and farther from the reach the answer passes over to h, a direction in the
+/// middle of the reach:
 ///
-///   answer = n + V (h - n),   in (elevation, plane)
+///   answer = n + V (h - n),   in (elevation, plane), with V from 0 to 1
 ///   1 - V  = (1 - Bump(|s| / 0.25) Bump((theta - 55) / 60)) Bump((distance - 20) / 24)
-///   h      = (theta (1 - (1 - cos 65) Bump((theta - 90) / 90)), 20)
+///   h      = (theta (1 - (1 - cos(65 deg)) Bump((theta - 90) / 90)), 20)
 ///
 /// Bump(x) = 1 - 10 x^3 + 15 x^4 - 6 x^5 falls from 1 (below x = 0) to 0 (above x = 1). s is -1 at
 /// plane 135, 0 in the middle of the wedge and 1 at plane -95. Straight up every plane is the same

@@ -48,8 +48,9 @@ enum class Range {
 
 /// The zero of axial turns: which humerus of a direction has axial 0 (axial_zero.h).
 enum class AxialFrom {
-  /// The rhythm's own humerus: S Ry(tau) with closure exact, the table's humerus with closure
-  /// table.
+  /// The rhythm's own humerus. With closure exact it is the humerus that swings from hanging to the
+  /// direction by the smallest rotation, after a turn tau about its long axis that the rhythm
+  /// gives; with closure table it is the table's humerus.
   kRhythm,
   /// The third humerothoracic angle of the ISB: q_TH = Y(plane) X(-elevation) Y(axial). If the arm
   /// hangs or points straight up, neither plane nor axial has a meaning alone: only both give the
@@ -118,7 +119,7 @@ struct ShoulderSolution {
   /// The table's cell that contains `used`, or the nearest cell.
   RhythmCell cell;
   /// Angle [rad] between the commanded direction and the nearest direction of the table's domain; 0
-  /// inside. If the direction of `used` is farther from that domain, it is the angle of `used`.
+  /// inside. It is the angle of the direction of `used` if that one is larger.
   double distance_rad;
 };
 

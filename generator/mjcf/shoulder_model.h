@@ -77,9 +77,10 @@ struct ShoulderModelOptions {
 /// Joint coordinates start where controls of zero lead: the arm hangs, or is at the lowest position
 /// of a clamped rhythm.
 ///
-/// A ligament pulls from its slack length on. This is the anatomy's, or the ligament's longest
-/// length in the rhythm (on a grid of 1 deg and in relaxed standing), rounded up to 0.1 mm, if that
-/// is longer. So no commanded pose stretches a ligament, but forces that push the joints aside do.
+/// A ligament pulls from its slack length on. The slack length is the larger of two: the anatomy's,
+/// and the ligament's longest length in the rhythm (on a grid of 1 deg and in relaxed standing),
+/// rounded up to 0.1 mm. So no commanded pose stretches a ligament, but forces that push the joints
+/// aside do.
 ///
 /// Throws std::invalid_argument if the rhythm leaves the anatomy's joint ranges, which is checked
 /// on a grid of 1 deg. Throws it also if the options exclude each other. They do so if they name a

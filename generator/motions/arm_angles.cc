@@ -31,8 +31,8 @@ std::string OtherSignText(bool is_isb, bool has_axial) {
            "the same rotation";
   }
   return std::string(
-             "elevation counts from 0, hanging, up to 180. ISB's Y-X'-Y'' writes that of a raised "
-             "arm negative: if this one is so, give --convention isb") +
+             "elevation counts from 0, hanging, up to 180. In ISB's Y-X'-Y'' a raised arm has a "
+             "negative elevation: for such angles give --convention isb") +
          (has_axial ? ", which reads axial as ISB's third angle, too. If you turn the sign of the "
                       "elevation yourself instead, leave axial as it is and give --axial-from isb"
                     : "");

@@ -84,7 +84,7 @@ inline constexpr std::size_t kReached =
 inline constexpr std::size_t kTarget = kReached + kCommandCount;   ///< nine joint targets
 inline constexpr std::size_t kError = kTarget + kCoordinateCount;  ///< nine, target minus position
 inline constexpr std::size_t kDistance =
-    kError + kCoordinateCount;  ///< of the command from measured directions
+    kError + kCoordinateCount;  ///< angle between the command and the nearest table direction
 /// ISB's third angle Y-X'-Y'' of the commanded humerus, then of the simulated one.
 inline constexpr std::size_t kCommandedIsb = kDistance + 1;
 inline constexpr std::size_t kReachedIsb = kCommandedIsb + 1;

@@ -20,10 +20,11 @@ namespace {
 // Whether ffmpeg's list of encoders has this one, in a line such as ` V....D libx264  ...`.
 bool HasEncoder(const std::filesystem::path& ffmpeg, const std::string& name) {
   const MemoryFile list("encoders");
-  ChildProgram asked(ffmpeg, {"-hide_banner", "-loglevel", "error", "-encoders"},
-                     {.output = list.descriptor()});
-  asked.EndInput();
-  return asked.Wait().is_fine() && list.Content().find(" " + name + " ") != std::string::npos;
+  ChildProgram encoder_list(ffmpeg, {"-hide_banner", "-loglevel", "error", "-encoders"},
+                            {.output = list.descriptor()});
+  encoder_list.EndInput();
+  return encoder_list.Wait().is_fine() &&
+         list.Content().find(" " + name + " ") != std::string::npos;
 }
 
 // Returns the encoder with its options. The video cannot be told from the frames by eye.

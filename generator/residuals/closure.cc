@@ -4,7 +4,8 @@
 // Closure: compares the direction of the simulated arm with the direction of the command.
 //
 //     (theta, psi) = direction of the middle of EM and EL from GH, in the thorax
-//     reached - commanded           against the command, as far as an arm goes
+//     reached - commanded           against the command, as far as an arm goes; with closure
+//                                   `exact`, the plane as an arc, sin(theta) (psi - psi_command)
 //     against the table's own       against the direction of the splines' q_TH
 //
 // Besides all motions and the table, the arm is measured on a grid to the ends of its reach, where
@@ -13,6 +14,7 @@
 // `table`, the splines' arm misses the command. The size of the miss is a property of the table and
 // is only stated.
 
+#include <cmath>
 #include <optional>
 
 #include "residuals/extreme.h"
@@ -43,7 +45,7 @@ class ClosureGroup : public ResidualGroup {
         is_exact_(rhythm_.options().closure == Closure::kExact) {}
 
   void TakePose(const ShownPose& pose) override {
-    if (pose.kind != PoseKind::kAtTargets && pose.kind != PoseKind::kGridAsked) {
+    if (pose.kind != PoseKind::kAtTargets && pose.kind != PoseKind::kGridCommand) {
       return;
     }
     const ArmAngles reached = ArmFromLandmarks(pose.state);
@@ -59,8 +61,11 @@ class ClosureGroup : public ResidualGroup {
     }
     add(own_plane_deg_, AngleDifference_rad(reached.plane_rad, own.plane_rad));
     const bool is_low = used.elevation_rad < kLowestPlaneElevation_rad && !is_exact_;
+    // Near hanging a small turn of the arm changes its plane by much. The arc that the arm is off
+    // does not grow with it.
+    const double share = is_exact_ ? std::sin(used.elevation_rad) : 1.0;
     add(is_low ? low_plane_deg_ : plane_deg_,
-        AngleDifference_rad(reached.plane_rad, used.plane_rad));
+        share * AngleDifference_rad(reached.plane_rad, used.plane_rad));
   }
 
   void AddLines(std::vector<Residual>& lines) override {

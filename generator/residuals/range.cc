@@ -21,7 +21,7 @@ class RangeGroup : public ResidualGroup {
       : is_whole_(shoulder.rhythm.rhythm().options().range == Range::kWhole) {}
 
   void TakePose(const ShownPose& pose) override {
-    if (pose.kind == PoseKind::kAtTargets || pose.kind == PoseKind::kGridAsked) {
+    if (pose.kind == PoseKind::kAtTargets || pose.kind == PoseKind::kGridCommand) {
       distance_deg_.Add(DegreesFromRadians(pose.state.distance_rad), pose.name, pose.command);
     }
   }

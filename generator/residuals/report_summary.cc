@@ -84,43 +84,33 @@ std::string CountsText(const Kind& kind) {
          (kind.failed > 0 ? ", " + std::to_string(kind.failed) + " FAIL" : "");
 }
 
-// How much a table says of the place of a residual.
-enum class PlaceForm { kWhole, kDirection, kNone };
-
-std::string PlaceText(const Residual& residual, PlaceForm form) {
-  std::string place = ShortPlace(residual.where);
-  switch (form) {
-    case PlaceForm::kWhole:
-      return place;
-    case PlaceForm::kDirection:
-      // "120.4/90" for "flexion 120.4/90"
-      return place == residual.where ? "" : place.substr(place.rfind(' ') + 1);
-    case PlaceForm::kNone:
-      break;
+// Returns as much of the place of a residual as has room: "flexion 120.4/90", "120.4/90" or "".
+std::string PlaceText(const Residual& residual, std::size_t room) {
+  const std::string place = ShortPlace(residual.where);
+  if (place.size() <= room) {
+    return place;
   }
-  return "";
+  const std::string direction = place == residual.where ? "" : place.substr(place.rfind(' ') + 1);
+  return direction.size() <= room ? direction : "";
 }
 
-std::string TableWith(const std::vector<Kind>& kinds, PlaceForm form) {
-  std::vector<std::vector<std::string>> rows = {
-      {"kind", "worst", "tolerance", "checked",
-       form == PlaceForm::kNone ? "" : "at elevation/plane"}};
+// The table with as much of each place as there is room for.
+std::string TableOf(const std::vector<Kind>& kinds, const TextStyle& style) {
+  const std::vector<Alignment> alignments = {Alignment::kLeft, Alignment::kRight, Alignment::kLeft};
+  std::vector<std::vector<std::string>> rows = {{"kind", "worst", "required", "checked"}};
   for (const Kind& kind : kinds) {
     rows.push_back({kind.group, ValueText(kind.shown->value) + " " + kind.shown->unit,
-                    LimitText(*kind.shown), CountsText(kind), PlaceText(*kind.shown, form)});
+                    LimitText(*kind.shown), CountsText(kind)});
   }
-  return ColumnsText(rows, {Alignment::kLeft, Alignment::kRight, Alignment::kLeft});
-}
-
-// The table with as much of the places as there is room for.
-std::string TableOf(const std::vector<Kind>& kinds, const TextStyle& style) {
-  for (const PlaceForm form : {PlaceForm::kWhole, PlaceForm::kDirection}) {
-    const std::string table = TableWith(kinds, form);
-    if (WidestLine(table) <= style.width) {
-      return table;
+  const std::string title = "at elevation/plane";
+  const std::size_t taken = WidestLine(ColumnsText(rows, alignments)) + kColumnGap;
+  if (taken + title.size() <= style.width) {
+    rows.front().push_back(title);
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+      rows[i + 1].push_back(PlaceText(*kinds[i].shown, style.width - taken));
     }
   }
-  return TableWith(kinds, PlaceForm::kNone);
+  return ColumnsText(rows, alignments);
 }
 
 std::string FailureText(const Residual& residual, const TextStyle& style) {

@@ -59,7 +59,7 @@ enum class PoseKind {
   /// At a pose of the grid over all that the arm reaches, held by servos and constraints.
   kGridHeld,
   /// At a pose of the same grid: held, or for models with thorax contact at the targets.
-  kGridAsked,
+  kGridCommand,
   /// At a keyframe of the model.
   kKeyframe,
 };

@@ -129,27 +129,31 @@ bool IsFar(const ArmCommand& used, const ArmAngles& reached) {
          std::abs(std::remainder(used.plane_rad - reached.plane_rad, 2 * kPi)) > kSameDirection_rad;
 }
 
-ArmCommand AskedOf(const SurveyedPosition& position) {
-  return {position.asked_elevation_rad, position.asked_plane_rad};
+ArmCommand CommandOf(const SurveyedPosition& position) {
+  return {position.elevation_rad, position.plane_rad};
 }
 
-std::string PlaceText(const ArmCommand& asked) {
-  return "elevation " + RoundedText(DegreesFromRadians(asked.elevation_rad), 1) + ", plane " +
-         RoundedText(DegreesFromRadians(asked.plane_rad), 1);
+std::string PlaceText(const ArmCommand& command) {
+  return "elevation " + RoundedText(DegreesFromRadians(command.elevation_rad), 1) + ", plane " +
+         RoundedText(DegreesFromRadians(command.plane_rad), 1);
 }
 
 // Worst case over positions, with the commanded direction.
 using Spread = WorstCase<ArmCommand>;
+
+// How the items of a Spread's two lines end.
+constexpr const char* kRms = ", rms";
+constexpr const char* kLargest = ", largest";
 
 void AppendTo(std::vector<Residual>& lines, const Spread& spread, const std::string& group,
               const std::string& item, const std::string& unit) {
   if (spread.empty()) {
     return;
   }
-  lines.push_back({group, item + ", rms", spread.rms(), unit, std::nullopt,
-                   CountText(spread.count(), "value")});
   lines.push_back(
-      {group, item + ", largest", spread.value(), unit, std::nullopt, PlaceText(spread.place())});
+      {group, item + kRms, spread.rms(), unit, std::nullopt, CountText(spread.count(), "value")});
+  lines.push_back(
+      {group, item + kLargest, spread.value(), unit, std::nullopt, PlaceText(spread.place())});
 }
 
 struct GroupSpreads {
@@ -172,13 +176,12 @@ class Surveyor {
 
   SurveyedPosition Visit(double elevation_deg, double plane_deg) {
     SurveyedPosition position;
-    position.asked_elevation_rad = RadiansFromDegrees(elevation_deg);
-    position.asked_plane_rad = RadiansFromDegrees(plane_deg);
+    position.elevation_rad = RadiansFromDegrees(elevation_deg);
+    position.plane_rad = RadiansFromDegrees(plane_deg);
     // The rotation about the humerus's long axis is the measured one.
     const ArmAngles own = ArmAnglesFromRotation(
-        rhythm_.SolvePose({position.asked_elevation_rad, position.asked_plane_rad}).q_TH());
-    const ArmMove move =
-        arm_.Move({position.asked_elevation_rad, position.asked_plane_rad, own.axial_rad});
+        rhythm_.SolvePose({position.elevation_rad, position.plane_rad}).q_TH());
+    const ArmMove move = arm_.Move({position.elevation_rad, position.plane_rad, own.axial_rad});
     if (!move.reached) {
       position.not_reached = move.reason;
       return position;
@@ -198,8 +201,8 @@ class Surveyor {
                              ", which the measured rhythm does not reach";
       return position;
     }
-    coupling_.Add(move.coupling, AskedOf(position));
-    speed_.Add(move.speed_rad_per_s, AskedOf(position));
+    coupling_.Add(move.coupling, CommandOf(position));
+    speed_.Add(move.speed_rad_per_s, CommandOf(position));
     AddBoneLengths(position);
     position.is_in_table = measured.distance_rad <= kNearTable_rad;
     position.measured_q_TS = measured.pose.q_TS();
@@ -239,7 +242,7 @@ class Surveyor {
       bone_lengths_m_ = lengths_m;
     }
     for (std::size_t i = 0; i < lengths_m.size(); ++i) {
-      rigid_.Add(kMillimetersPerMeter * (lengths_m[i] - bone_lengths_m_[i]), AskedOf(position));
+      rigid_.Add(kMillimetersPerMeter * (lengths_m[i] - bone_lengths_m_[i]), CommandOf(position));
     }
   }
 
@@ -268,14 +271,13 @@ void PutChanges(double lowest_deg, std::vector<SurveyedPosition>& positions) {
   std::map<double, const SurveyedPosition*> starts;  // by plane
   const double lowest_rad = RadiansFromDegrees(lowest_deg);
   for (const SurveyedPosition& position : positions) {
-    if (position.is_in_table && position.asked_elevation_rad == lowest_rad) {
-      starts[position.asked_plane_rad] = &position;
+    if (position.is_in_table && position.elevation_rad == lowest_rad) {
+      starts[position.plane_rad] = &position;
     }
   }
   for (SurveyedPosition& position : positions) {
-    const auto start = starts.find(position.asked_plane_rad);
-    if (position.is_in_table && start != starts.end() &&
-        position.asked_elevation_rad > lowest_rad) {
+    const auto start = starts.find(position.plane_rad);
+    if (position.is_in_table && start != starts.end() && position.elevation_rad > lowest_rad) {
       position.change_difference_deg = ChangeDifferences(*start->second, position);
     }
   }
@@ -285,15 +287,19 @@ void PutChanges(double lowest_deg, std::vector<SurveyedPosition>& positions) {
 std::vector<SurveyedPosition> VisitAll(Surveyor& surveyor, const SurveyGrid& grid,
                                        const ProgressSink& progress) {
   std::vector<SurveyedPosition> positions;
-  const std::size_t asked = grid.planes_deg.size() * grid.elevations_deg.size();
+  const std::size_t positions_of_grid = grid.planes_deg.size() * grid.elevations_deg.size();
   for (const double plane_deg : grid.planes_deg) {
     for (const double elevation_deg : grid.elevations_deg) {
       positions.push_back(surveyor.Visit(elevation_deg, plane_deg));
-      progress(static_cast<double>(positions.size()) / static_cast<double>(asked));
+      progress(static_cast<double>(positions.size()) / static_cast<double>(positions_of_grid));
     }
   }
   return positions;
 }
+
+constexpr const char* kNotReached = "positions not reached";
+constexpr const char* kElevationReached = "elevation reached - commanded";
+constexpr const char* kPlaneReached = "plane reached - commanded";
 
 // Returns the number of positions that the arm misses, with the reason for the first. Throws
 // InputError if it misses all.
@@ -303,17 +309,17 @@ Residual PositionsNotReached(const std::vector<SurveyedPosition>& positions) {
   };
   const auto first = std::find_if(positions.begin(), positions.end(), is_missed);
   const auto count = std::count_if(positions.begin(), positions.end(), is_missed);
-  const std::string asked = std::to_string(positions.size());
+  const std::string count_text = std::to_string(positions.size());
   if (count == std::ssize(positions)) {
-    throw InputError("the arm reaches none of the " + asked + " positions; at " +
-                     PlaceText(AskedOf(*first)) + " " + first->not_reached +
+    throw InputError("the arm reaches none of the " + count_text + " positions; at " +
+                     PlaceText(CommandOf(*first)) + " " + first->not_reached +
                      ". Correct the rows of the arm in the mapping");
   }
-  std::string where = "of " + asked;
+  std::string where = "of " + count_text;
   if (count > 0) {
-    where += "; " + PlaceText(AskedOf(*first)) + ": " + first->not_reached;
+    where += "; " + PlaceText(CommandOf(*first)) + ": " + first->not_reached;
   }
-  return {"arm", "positions not reached", static_cast<double>(count), "-", std::nullopt, where};
+  return {"arm", kNotReached, static_cast<double>(count), "-", std::nullopt, where};
 }
 
 // Extremes of all figures over the positions reached.
@@ -331,27 +337,27 @@ SurveySpreads SpreadsOf(const std::vector<SurveyedPosition>& positions) {
     if (!position.not_reached.empty()) {
       continue;
     }
-    const ArmCommand asked = AskedOf(position);
+    const ArmCommand command = CommandOf(position);
     GroupSpreads& group = position.is_in_table ? spreads.in_table : spreads.beyond;
     for (std::size_t i = 0; i < kGirdleFigureCount; ++i) {
       if (position.difference_deg[i]) {
-        group.figures[i].Add(*position.difference_deg[i], asked);
+        group.figures[i].Add(*position.difference_deg[i], command);
       }
       if (position.change_difference_deg[i]) {
-        spreads.changes.figures[i].Add(*position.change_difference_deg[i], asked);
+        spreads.changes.figures[i].Add(*position.change_difference_deg[i], command);
       }
     }
     for (const std::optional<double>& border_mm : position.border_mm) {
       if (border_mm) {
-        group.border.Add(*border_mm, asked);
+        group.border.Add(*border_mm, command);
       }
     }
     if (position.is_in_table) {
       spreads.elevation_deg.Add(
-          DegreesFromRadians(position.reached.elevation_rad - position.asked_elevation_rad), asked);
+          DegreesFromRadians(position.reached.elevation_rad - position.elevation_rad), command);
       spreads.plane_deg.Add(AngleDifference_deg(DegreesFromRadians(position.reached.plane_rad),
-                                                DegreesFromRadians(position.asked_plane_rad)),
-                            asked);
+                                                DegreesFromRadians(position.plane_rad)),
+                            command);
     }
   }
   return spreads;
@@ -371,8 +377,8 @@ std::string SentenceOf(const std::vector<SurveyedPosition>& positions, double lo
                        const Spread& scapula, const Spread& upward) {
   std::map<double, std::vector<const SurveyedPosition*>> by_plane;
   for (const SurveyedPosition& position : positions) {
-    if (position.is_in_table && position.asked_elevation_rad >= RadiansFromDegrees(lowest_deg)) {
-      by_plane[position.asked_plane_rad].push_back(&position);
+    if (position.is_in_table && position.elevation_rad >= RadiansFromDegrees(lowest_deg)) {
+      by_plane[position.plane_rad].push_back(&position);
     }
   }
   std::erase_if(by_plane, [](const auto& plane) { return plane.second.size() < 2; });
@@ -387,22 +393,22 @@ std::string SentenceOf(const std::vector<SurveyedPosition>& positions, double lo
   const SurveyedPosition& high = *frontal.second.back();
   const auto degrees = [](double angle_rad) { return Whole(DegreesFromRadians(angle_rad)); };
   std::string text =
-      "As this arm is raised from " + degrees(low.asked_elevation_rad) + " to " +
-      degrees(high.asked_elevation_rad) + " degrees in plane " + degrees(frontal.first) +
+      "As this arm is raised from " + degrees(low.elevation_rad) + " to " +
+      degrees(high.elevation_rad) + " degrees in plane " + degrees(frontal.first) +
       ", its scapula turns upward by " + Whole(UpwardTurn_deg(low.model_deg, high.model_deg)) +
       " degrees, the measured one by " + Whole(UpwardTurn_deg(low.measured_deg, high.measured_deg));
   // The sentence compares two planes at the highest elevation that both have.
   const auto& last = *by_plane.rbegin();
   for (auto there = last.second.rbegin();
        last.first != frontal.first && there != last.second.rend(); ++there) {
-    const auto here = std::find_if(
-        frontal.second.begin(), frontal.second.end(), [&](const SurveyedPosition* position) {
-          return position->asked_elevation_rad == (*there)->asked_elevation_rad;
-        });
+    const auto here = std::find_if(frontal.second.begin(), frontal.second.end(),
+                                   [&](const SurveyedPosition* position) {
+                                     return position->elevation_rad == (*there)->elevation_rad;
+                                   });
     if (here != frontal.second.end()) {
       text +=
           "; from plane " + degrees(frontal.first) + " to " + degrees(last.first) +
-          " at elevation " + degrees((*there)->asked_elevation_rad) + " it turns by " +
+          " at elevation " + degrees((*there)->elevation_rad) + " it turns by " +
           Whole(DegreesFromRadians(AngleBetween((*here)->pose.q_TS, (*there)->pose.q_TS))) +
           " degrees, the measured one by " +
           Whole(DegreesFromRadians(AngleBetween((*here)->measured_q_TS, (*there)->measured_q_TS)));
@@ -442,10 +448,10 @@ std::string FigureText(const std::vector<Residual>& lines, const std::string& gr
 std::string DifferencesTable(const std::vector<Residual>& lines, const TextStyle& style) {
   std::vector<std::string> groups;
   std::vector<std::string> quantities;
-  const std::string rms = ", rms";
   for (const Residual& residual : lines) {
-    if (!residual.tolerance && residual.item.ends_with(rms)) {
-      const std::string quantity = residual.item.substr(0, residual.item.size() - rms.size());
+    if (!residual.tolerance && residual.item.ends_with(kRms)) {
+      const std::string quantity =
+          residual.item.substr(0, residual.item.size() - std::string_view(kRms).size());
       if (std::ranges::count(groups, residual.group) == 0 && residual.group != "arm") {
         groups.push_back(residual.group);
       }
@@ -461,8 +467,8 @@ std::string DifferencesTable(const std::vector<Residual>& lines, const TextStyle
       std::vector<std::string>& row = rows.emplace_back();
       row.push_back(quantity);
       for (const std::string& group : shown) {
-        row.push_back(FigureText(lines, group, quantity + rms) + ", " +
-                      FigureText(lines, group, quantity + ", largest"));
+        row.push_back(FigureText(lines, group, quantity + kRms) + ", " +
+                      FigureText(lines, group, quantity + kLargest));
       }
     }
     return ColumnsText(rows, {Alignment::kLeft, Alignment::kRight});
@@ -478,14 +484,35 @@ std::string DifferencesTable(const std::vector<Residual>& lines, const TextStyle
   return below_each_other;
 }
 
+// Returns sentences on positions that were not reached and on directions that were missed; empty if
+// there are none.
+std::string ArmText(const std::vector<Residual>& lines) {
+  constexpr double kSeen_deg = 1;
+  std::string text;
+  for (const Residual& line : lines) {
+    if (line.item == kNotReached && line.value > 0) {
+      text += "Positions not reached: " + std::to_string(std::lround(line.value)) + " " +
+              line.where + ". ";
+    }
+    for (const char* const item : {kElevationReached, kPlaneReached}) {
+      if (line.item == std::string(item) + kLargest && line.value > kSeen_deg) {
+        text += "The arm misses the commanded " +
+                std::string(item).substr(0, std::string(item).find(' ')) + " by up to " +
+                RoundedText(line.value, 1) + " deg (" + line.where + "). ";
+      }
+    }
+  }
+  return text;
+}
+
 std::string SurveyAsJson(const ScapulothoracicSurvey& survey) {
   nlohmann::ordered_json json = nlohmann::ordered_json::parse(ReportAsJson(survey.report));
   json["sentence"] = survey.sentence;
   json["positions"] = nlohmann::ordered_json::array();
   for (const SurveyedPosition& position : survey.positions) {
     nlohmann::ordered_json row;
-    row["elevation_deg"] = TypedDegrees(position.asked_elevation_rad);
-    row["plane_deg"] = TypedDegrees(position.asked_plane_rad);
+    row["elevation_deg"] = TypedDegrees(position.elevation_rad);
+    row["plane_deg"] = TypedDegrees(position.plane_rad);
     if (!position.not_reached.empty()) {
       row["not_reached"] = position.not_reached;
     } else {
@@ -526,8 +553,8 @@ ScapulothoracicSurvey SurveyGirdle(MappedArm& arm, const MappedShoulder& shoulde
   std::vector<Residual>& lines = survey.report.residuals;
   surveyor.AppendChecks(lines);
   lines.push_back(missed);
-  AppendTo(lines, spreads.elevation_deg, "arm", "elevation reached - asked", "deg");
-  AppendTo(lines, spreads.plane_deg, "arm", "plane reached - asked", "deg");
+  AppendTo(lines, spreads.elevation_deg, "arm", kElevationReached, "deg");
+  AppendTo(lines, spreads.plane_deg, "arm", kPlaneReached, "deg");
   spreads.in_table.AppendTo(lines, "scapulothoracic");
   spreads.changes.AppendTo(lines, "since elevation " + RoundedText(lowest_deg, 1));
   spreads.beyond.AppendTo(lines, "beyond the table");
@@ -541,7 +568,8 @@ std::string SurveyIn(const ReportChoice& choice, const ScapulothoracicSurvey& su
   if (choice.form == ReportForm::kJson) {
     return SurveyAsJson(survey);
   }
-  const std::string sentence = WrappedText(survey.sentence, choice.style.width) + "\n";
+  const std::string sentence =
+      WrappedText(ArmText(survey.report.residuals) + survey.sentence, choice.style.width) + "\n";
   if (choice.form == ReportForm::kFull) {
     return ReportAsText(survey.report, choice.style) + "\n" + sentence;
   }

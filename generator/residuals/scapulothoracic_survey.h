@@ -58,8 +58,8 @@ inline constexpr double kNearTable_rad = 5 * kRadiansPerDegree;
 
 /// One position of the grid.
 struct SurveyedPosition {
-  double asked_elevation_rad = 0;
-  double asked_plane_rad = 0;
+  double elevation_rad = 0;
+  double plane_rad = 0;
   std::string not_reached;  ///< the reason; empty if the position was reached
   ArmAngles reached{};
   bool is_in_table = false;   ///< whether `reached` is within kNearTable_rad of the table

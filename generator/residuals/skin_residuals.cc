@@ -222,7 +222,7 @@ std::vector<Residual> SkinMeter::Measure() {
       at_rest_mm_.Worst(kGroup, "MuJoCo - linear blend, at rest", "mm", kSinglePrecision_mm));
   lines.push_back(
       moving_mm_.Worst(kGroup, "MuJoCo - linear blend, moving", "mm", kSinglePrecision_mm));
-  lines.push_back(posed_mm_.Worst(kGroup, "MuJoCo - pose asked for", "mm", kSinglePrecision_mm));
+  lines.push_back(posed_mm_.Worst(kGroup, "MuJoCo - commanded pose", "mm", kSinglePrecision_mm));
   lines.push_back({kGroup, "bones - where they were bound",
                    kMillimetersPerMeter * on_bones_.MisplacedBones_m(side_), "mm",
                    kSinglePrecision_mm, "bind pose"});

@@ -146,7 +146,7 @@ class Visitor {
         const ArmCommand command = rhythm.Solve({elevation_rad, plane_rad}).used;
         const ShoulderState held = Held(command);
         Show("grid", PoseKind::kGridHeld, command, held);
-        Show("grid", PoseKind::kGridAsked, command,
+        Show("grid", PoseKind::kGridCommand, command,
              shoulder_.has_thorax_contact() ? AtTargets(command) : held);
       }
     }

@@ -22,11 +22,11 @@ inline constexpr std::array<std::string_view, 2> kBuiltInTableNames = {"measured
 
 constexpr const auto& WordsOf(BuiltInTable /*which*/) noexcept { return kBuiltInTableNames; }
 
-/// Returns the table that an interpolation uses unless another one is chosen. It is the smoothed
-/// table for smooth. There a curve with continuous second derivatives through the measured rows
-/// swings where people drop out of the measurement. No row of the smoothed table is moved by more
-/// than 0.7 deg, a third of the disagreement among the measured tables. It is the measured table
-/// for squad and slerp, as published.
+/// Returns the table that an interpolation uses unless another one is chosen. For squad
+/// and slerp it is the measured table, as published. For smooth it is the smoothed table, because a
+/// curve with continuous second derivatives through the measured rows swings where people drop out
+/// of the measurement. No row of the smoothed table is moved by more than 0.7 deg, a third of the
+/// disagreement among the measured tables.
 [[nodiscard]] BuiltInTable DefaultTable(Interpolation interpolation) noexcept;
 
 /// Returns a built-in table. All built-in tables have the same planes and elevations.

@@ -7,9 +7,9 @@
 /// example a command line's and a model's: the first one wins. Resolve then fills in the defaults,
 /// and MakeRhythm makes the rhythm:
 ///
-///     const RhythmChoice said = {.interpolation = Interpolation::kSquad};
-///     const ResolvedRhythm meant = Resolve(Over(said, model_says));
-///     const ShoulderRhythm rhythm = MakeRhythm(meant, ranges);
+///     const RhythmChoice typed = {.interpolation = Interpolation::kSquad};
+///     const ResolvedRhythm resolved = Resolve(Over(typed, of_the_model));
+///     const ShoulderRhythm rhythm = MakeRhythm(resolved, ranges);
 #pragma once
 
 #include <optional>

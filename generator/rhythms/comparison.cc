@@ -62,7 +62,7 @@ RhythmComparison CompareOne(const PublishedRhythm& rhythm,
   Extremes on_map;
   for (const MapPosition& position : positions) {
     const Differences differences = DifferencesAt(
-        position, rhythm.girdle(position.elevation_rad, position.plane_rad), rhythm.said);
+        position, rhythm.girdle(position.elevation_rad, position.plane_rad), rhythm.defined);
     on_map.Add(differences, position);
     if (position.is_in_table) {
       in_table.Add(differences, position);
@@ -119,27 +119,27 @@ std::vector<MapPosition> PositionsOf(const ShoulderRhythm& measured, const Compa
 }
 
 Differences DifferencesAt(const MapPosition& position, const GirdlePose& girdle,
-                          const SaidAngles& said) noexcept {
+                          const DefinedAngles& defined) noexcept {
   const ShoulderPose& measured = position.measured;
   const ShoulderPose pose = WithHumerus(girdle, measured.q_TH());
   Differences differences;
   const auto set = [&differences](ComparedAngle which, double difference_rad) {
     differences[static_cast<std::size_t>(which)] = difference_rad;
   };
-  if (said.Clavicle()) {
+  if (defined.Clavicle()) {
     set(ComparedAngle::kSc, AngleBetween(pose.q_TC, measured.q_TC));
   }
-  if (said.Clavicle() && said.Scapula()) {
+  if (defined.Clavicle() && defined.Scapula()) {
     set(ComparedAngle::kAc, AngleBetween(pose.q_CS, measured.q_CS));
   }
-  if (said.Scapula()) {
+  if (defined.Scapula()) {
     set(ComparedAngle::kGh, AngleBetween(pose.q_SH, measured.q_SH));
   }
   const Vector3 sc = AnglesOf(girdle.q_TC) - AnglesOf(measured.q_TC);
   const Vector3 st = AnglesOf(girdle.q_TS) - AnglesOf(measured.q_TS());
-  const auto set_angle = [&said, &set](std::size_t angle, ComparedAngle which,
-                                       double difference_rad) {
-    if (said.angles[angle]) {
+  const auto set_angle = [&defined, &set](std::size_t angle, ComparedAngle which,
+                                          double difference_rad) {
+    if (defined.angles[angle]) {
       set(which, std::remainder(difference_rad, 2 * kPi));
     }
   };

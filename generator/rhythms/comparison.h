@@ -70,7 +70,7 @@ struct MapPosition {
 
 /// Returns the differences between a girdle and the measured one at a position.
 [[nodiscard]] Differences DifferencesAt(const MapPosition& position, const GirdlePose& girdle,
-                                        const SaidAngles& said) noexcept;
+                                        const DefinedAngles& defined) noexcept;
 
 /// Summary of a difference over many positions, each counted once. All in radians.
 struct DifferenceSummary {

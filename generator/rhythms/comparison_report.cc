@@ -139,7 +139,7 @@ nlohmann::ordered_json RhythmAsJson(const RhythmComparison& comparison) {
 }
 
 void AppendMapRow(std::string& text, std::string_view name, const MapPosition& position,
-                  const GirdlePose& girdle, const SaidAngles& said) {
+                  const GirdlePose& girdle, const DefinedAngles& defined) {
   const auto append = [&text](bool is_said, double angle_rad) {
     text += ',';
     if (is_said) {
@@ -153,19 +153,19 @@ void AppendMapRow(std::string& text, std::string_view name, const MapPosition& p
   const Vector3 ac_rad = EulerFromQuaternion(kJointSequences[1], pose.q_CS);
   const Vector3 gh_rad = EulerFromQuaternion(kJointSequences[2], pose.q_SH);
   const Vector3 st_rad = EulerFromQuaternion(EulerSequence::kYXZ, girdle.q_TS);
-  append(said.angles[0], sc_rad.x);
-  append(said.angles[1], sc_rad.y);
-  append(said.angles[2], sc_rad.z);
+  append(defined.angles[0], sc_rad.x);
+  append(defined.angles[1], sc_rad.y);
+  append(defined.angles[2], sc_rad.z);
   for (int k = 0; k < 3; ++k) {
-    append(said.Clavicle() && said.Scapula(), ac_rad[k]);
+    append(defined.Clavicle() && defined.Scapula(), ac_rad[k]);
   }
   for (int k = 0; k < 3; ++k) {
-    append(said.Scapula(), gh_rad[k]);
+    append(defined.Scapula(), gh_rad[k]);
   }
-  append(said.angles[3], st_rad.x);
-  append(said.angles[4], st_rad.y);
-  append(said.angles[5], st_rad.z);
-  for (const std::optional<double>& difference_rad : DifferencesAt(position, girdle, said)) {
+  append(defined.angles[3], st_rad.x);
+  append(defined.angles[4], st_rad.y);
+  append(defined.angles[5], st_rad.z);
+  for (const std::optional<double>& difference_rad : DifferencesAt(position, girdle, defined)) {
     append(difference_rad.has_value(), difference_rad.value_or(0));
   }
   text += '\n';
@@ -265,9 +265,10 @@ std::size_t WriteMapCsv(const ShoulderRhythm& measured,
   constexpr std::size_t kBufferSize = 1 << 16;
   const std::vector<MapPosition> positions = PositionsOf(measured, map);
   std::string text = MapHeader();
-  const auto append = [&](std::string_view name, const SaidAngles& said, const auto& girdle_at) {
+  const auto append = [&](std::string_view name, const DefinedAngles& defined,
+                          const auto& girdle_at) {
     for (const MapPosition& position : positions) {
-      AppendMapRow(text, name, position, girdle_at(position), said);
+      AppendMapRow(text, name, position, girdle_at(position), defined);
       if (text.size() > kBufferSize) {
         write(text);
         text.clear();
@@ -278,7 +279,7 @@ std::size_t WriteMapCsv(const ShoulderRhythm& measured,
     return GirdlePose{position.measured.q_TC, position.measured.q_TS()};
   });
   for (const PublishedRhythm& rhythm : published) {
-    append(rhythm.name, rhythm.said, [&rhythm](const MapPosition& position) {
+    append(rhythm.name, rhythm.defined, [&rhythm](const MapPosition& position) {
       return rhythm.girdle(position.elevation_rad, position.plane_rad);
     });
   }

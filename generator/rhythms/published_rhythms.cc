@@ -36,12 +36,12 @@ CompleteAngles OverRelaxed(const RhythmCoefficients& coefficients, const GirdleA
   return complete;
 }
 
-SaidAngles Said(const GirdleAngles& angles) {
-  SaidAngles said;
+DefinedAngles DefinedOf(const GirdleAngles& angles) {
+  DefinedAngles defined;
   for (std::size_t k = 0; k < kGirdleAngleCount; ++k) {
-    said.angles[k] = angles[k].has_value();
+    defined.angles[k] = angles[k].has_value();
   }
-  return said;
+  return defined;
 }
 
 // Returns clavicle and scapula from six numbers, one for each angle.
@@ -59,7 +59,7 @@ GirdlePose PoseOf(const CompleteAngles& angles, const AngleOf& angle_of) {
 PublishedRhythm RhythmOfAngles(const RhythmCoefficients& coefficients, std::string_view rows) {
   const GirdleAngles& angles = AnglesOf(coefficients, rows);
   PublishedRhythm rhythm;
-  rhythm.said = Said(angles);
+  rhythm.defined = DefinedOf(angles);
   rhythm.girdle = [complete = OverRelaxed(coefficients, angles)](double elevation_rad,
                                                                  double plane_rad) {
     return PoseOf(complete,
@@ -73,7 +73,7 @@ PublishedRhythm RhythmOfAngles(const RhythmCoefficients& coefficients, std::stri
 PublishedRhythm RhythmOfTurns(const RhythmCoefficients& coefficients, std::string_view rows) {
   const GirdleAngles& angles = AnglesOf(coefficients, rows);
   PublishedRhythm rhythm;
-  rhythm.said = Said(angles);
+  rhythm.defined = DefinedOf(angles);
   const CompleteAngles complete = OverRelaxed(coefficients, angles);
   const GirdlePose rest = PoseOf(complete, [](const LinearAngle& angle) { return angle.rest_rad; });
   rhythm.girdle = [complete, rest](double elevation_rad, double plane_rad) -> GirdlePose {

@@ -26,7 +26,7 @@ struct GirdlePose {
 
 /// The angles that a rhythm defines. Only results that follow from these angles may be compared
 /// with it.
-struct SaidAngles {
+struct DefinedAngles {
   std::array<bool, kGirdleAngleCount> angles{};  ///< in the order of kGirdleAngleNames
 
   [[nodiscard]] bool Clavicle() const noexcept { return angles[0] && angles[1] && angles[2]; }
@@ -37,7 +37,7 @@ struct PublishedRhythm {
   std::string_view name;
   std::string_view source;
   std::string_view says;  ///< what it defines and what it does not, for people
-  SaidAngles said;
+  DefinedAngles defined;
   /// Total for finite angles [rad]. Nothing is clamped. Angles that the rhythm does not define are
   /// those of the relaxed standing posture.
   std::function<GirdlePose(double elevation_rad, double plane_rad)> girdle;

@@ -29,7 +29,13 @@ std::vector<std::string> warnings;  // NOLINT(readability-identifier-naming)
 // The plugin's last message about faults of a compiled model.
 std::string model_fault;  // NOLINT(readability-identifier-naming)
 
+// How a warning begins that concerns models which are saved. Girdle saves none.
+constexpr std::string_view kOnSaving = "Attaching a spec with an empty prefix";
+
 void OnWarning(const char* message) {
+  if (std::string_view(message).starts_with(kOnSaving)) {
+    return;
+  }
   const std::lock_guard lock(warnings_mutex);
   if (std::string_view(message).find(kModelFaultMark) != std::string_view::npos) {
     model_fault = message;
@@ -82,13 +88,21 @@ constexpr std::size_t kErrorSize = 1024;
 
 bool IsBinary(const std::string& name) { return std::filesystem::path(name).extension() == ".mjb"; }
 
+std::string WithoutStop(std::string text) {
+  while (text.ends_with('.')) {
+    text.pop_back();
+  }
+  return text;
+}
+
 void ExpectLoaded(const ModelPointer& model, const std::string& name, const std::string& reason) {
   ThrowIfOutOfMemory(reason);
   const std::string warned = TakeWarnings();
   if (model == nullptr || !warned.empty()) {
-    throw InputError(name + ": MuJoCo cannot load it: " + DistinctLines(reason + "\n" + warned) +
-                     ". " + (IsBinary(name) ? "Give its XML" : "Mend the model") +
-                     " or make it anew with girdle generate");
+    throw InputError(
+        name + ": MuJoCo cannot load it: " + WithoutStop(DistinctLines(reason + "\n" + warned)) +
+        ". " + (IsBinary(name) ? "Give its XML" : "Correct the model") +
+        " or make it anew with girdle generate");
   }
 }
 

@@ -37,8 +37,10 @@ int CountOf(const mjModel& model, mjtObj type) {
       return static_cast<int>(model.nsite);
     case mjOBJ_JOINT:
       return static_cast<int>(model.njnt);
-    default:
+    case mjOBJ_ACTUATOR:
       return static_cast<int>(model.nactuator);
+    default:
+      return 0;
   }
 }
 
@@ -60,20 +62,25 @@ std::vector<std::string> NearestNames(const std::string& wanted,
   return nearest;
 }
 
+std::vector<std::string> ElementNames(const mjModel& model, mjtObj type) {
+  std::vector<std::string> names;
+  for (int i = 0; i < CountOf(model, type); ++i) {
+    const char* name = mj_id2name(&model, type, i);
+    // The world is not a bone.
+    if (name != nullptr && !(type == mjOBJ_BODY && i == 0)) {
+      names.emplace_back(name);
+    }
+  }
+  return names;
+}
+
 int FindElement(const mjModel& model, mjtObj type, const std::string& name, const std::string& file,
                 std::size_t line) {
   const int id = mj_name2id(&model, type, name.c_str());
   if (id >= 0) {
     return id;
   }
-  std::vector<std::string> names;
-  for (int i = 0; i < CountOf(model, type); ++i) {
-    const char* other = mj_id2name(&model, type, i);
-    // The world is not a bone.
-    if (other != nullptr && !(type == mjOBJ_BODY && i == 0)) {
-      names.emplace_back(other);
-    }
-  }
+  const std::vector<std::string> names = ElementNames(model, type);
   const std::string kind = mju_type2Str(type);
   std::string message = "the model has no " + kind + " '" + name + "'";
   if (names.empty()) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "simulation/named_elements.h"
 #include "text/input_error.h"
 
 namespace girdle {
@@ -16,6 +17,17 @@ bool HasInstance(const mjModel& model) {
   return mjp_getPlugin(kPluginName, &slot) != nullptr &&
          std::find(model.plugin, model.plugin + model.nplugin, slot) !=
              model.plugin + model.nplugin;
+}
+
+// Returns the first name that is `name` behind a prefix, such as a model gives that the shoulder is
+// attached to; empty if there is none.
+std::string PrefixedName(const mjModel& model, mjtObj type, const std::string& name) {
+  for (const std::string& other : ElementNames(model, type)) {
+    if (other.size() > name.size() && other.ends_with(name)) {
+      return other;
+    }
+  }
+  return "";
 }
 
 // Finds the elements of one side by their names.
@@ -34,8 +46,14 @@ class ElementFinder {
     const std::string name = sided ? SidedName(stem, side_) : std::string(stem);
     const int id = mj_name2id(&model_, type, name.c_str());
     if (id < 0) {
-      throw InputError(model_name_ + ": has no " + kind + " \"" + name +
-                       "\". Restore it, or make the model anew with girdle generate");
+      const std::string prefixed = PrefixedName(model_, type, name);
+      throw InputError(model_name_ + ": has no " + kind + " \"" + name + "\". " +
+                       (prefixed.empty()
+                            ? "Restore it, or make the model anew with girdle generate"
+                            : "It has \"" + prefixed +
+                                  "\": Girdle's verbs take names without a prefix. Attach the "
+                                  "shoulder with an empty prefix, or compare it with girdle verify "
+                                  "--mapping"));
     }
     return id;
   }

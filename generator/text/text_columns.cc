@@ -30,9 +30,9 @@ std::string ColumnsText(const std::vector<std::vector<std::string>>& rows,
     std::string line;
     for (std::size_t i = 0; i < row.size(); ++i) {
       const Alignment alignment = alignments[std::min(i, alignments.size() - 1)];
-      line +=
-          (i == 0 ? "" : "  ") + (alignment == Alignment::kLeft ? AlignedLeft(row[i], widths[i])
-                                                                : AlignedRight(row[i], widths[i]));
+      line += std::string(i == 0 ? 0 : kColumnGap, ' ') + (alignment == Alignment::kLeft
+                                                               ? AlignedLeft(row[i], widths[i])
+                                                               : AlignedRight(row[i], widths[i]));
     }
     line.erase(line.find_last_not_of(' ') + 1);
     text += line + "\n";

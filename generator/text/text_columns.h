@@ -18,9 +18,12 @@ namespace girdle {
 
 enum class Alignment { kLeft, kRight };
 
-/// Returns `rows` as lines. Each column is as wide as its widest text, columns are two blanks
-/// apart, and no line ends in blanks. Columns beyond the last of `alignments` are aligned as the
-/// last. Precondition: all rows have as many texts as the first, and there is at least one
+/// Blanks between two columns of ColumnsText.
+inline constexpr std::size_t kColumnGap = 2;
+
+/// Returns `rows` as lines. Each column is as wide as its widest text, columns are kColumnGap
+/// blanks apart, and no line ends in blanks. Columns beyond the last of `alignments` are aligned as
+/// the last. Precondition: all rows have as many texts as the first, and there is at least one
 /// alignment.
 [[nodiscard]] std::string ColumnsText(const std::vector<std::vector<std::string>>& rows,
                                       const std::vector<Alignment>& alignments);

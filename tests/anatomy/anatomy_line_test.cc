@@ -76,9 +76,14 @@ TEST(AnatomyLine, ReadsAndWritesEveryNumber) {
 TEST(AnatomyLine, IsSameButForRounding) {
   Anatomy other = BuiltInAnatomy();
   EXPECT_TRUE(IsSame(other, BuiltInAnatomy()));
-  other.gliding.radii_m.x *= 1 + 1e-15;
+  other.gliding.radii_m.x += 5e-10;
   EXPECT_TRUE(IsSame(other, BuiltInAnatomy()));
-  other.gliding.radii_m.x += 1e-6;
+  other.gliding.radii_m.x += 5e-9;
+  EXPECT_FALSE(IsSame(other, BuiltInAnatomy()));
+  other = BuiltInAnatomy();
+  other.ligaments[0].stiffness_N_per_m *= 1 + 5e-10;
+  EXPECT_TRUE(IsSame(other, BuiltInAnatomy()));
+  other.ligaments[0].stiffness_N_per_m *= 1 + 5e-9;
   EXPECT_FALSE(IsSame(other, BuiltInAnatomy()));
 }
 
@@ -131,6 +136,22 @@ INSTANTIATE_TEST_SUITE_P(
                 "gliding cannot be"},
         BadLine{"NoStiffness", Changed([](Anatomy& a) { a.ligaments[0].stiffness_N_per_m = 0; }),
                 "conoid cannot be"},
+        BadLine{"FarCenter", Changed([](Anatomy& a) { a.segments[2].center_of_mass_m.x = 11; }),
+                "scapula cannot be"},
+        BadLine{"NoInertia", Changed([](Anatomy& a) { a.segments[2].inertia_kg_m2.z = 0; }),
+                "scapula cannot be"},
+        BadLine{"FarEllipsoid", Changed([](Anatomy& a) { a.ribcage.center_m.z = -11; }),
+                "ribcage cannot be"},
+        BadLine{"LargeEllipsoid", Changed([](Anatomy& a) { a.ribcage.radii_m.z = 11; }),
+                "ribcage cannot be"},
+        BadLine{"FarLigament", Changed([](Anatomy& a) { a.ligaments[1].scapula_m.y = 11; }),
+                "trapezoid cannot be"},
+        BadLine{"NoSlack", Changed([](Anatomy& a) { a.ligaments[1].slack_m = 0; }),
+                "trapezoid cannot be"},
+        BadLine{"LongSlack", Changed([](Anatomy& a) { a.ligaments[1].slack_m = 11; }),
+                "trapezoid cannot be"},
+        BadLine{"TooHigh", Changed([](Anatomy& a) { a.jugular_notch_height_m = 11; }),
+                "jugular_notch_height cannot be"},
         BadLine{"NoHeight", Changed([](Anatomy& a) { a.jugular_notch_height_m = 0; }),
                 "jugular_notch_height cannot be"}),
     [](const testing::TestParamInfo<BadLine>& bad) { return bad.param.what; });

@@ -48,7 +48,8 @@ TEST(ElevationRead, TakesWhatRoundingMakesBeyondItsEnds) {
 
 TEST(ElevationRead, RefusesTheOtherSignWithTheConventionThatHasIt) {
   const std::string negative = RefusalOf(-0.51, kGirdle);
-  EXPECT_NE(negative.find("ISB's Y-X'-Y'' writes that of a raised arm negative"), std::string::npos)
+  EXPECT_NE(negative.find("In ISB's Y-X'-Y'' a raised arm has a negative elevation"),
+            std::string::npos)
       << negative;
   EXPECT_NE(negative.find("--convention isb"), std::string::npos);
   const std::string positive = RefusalOf(0.51, kIsb);

@@ -128,13 +128,13 @@ TEST(CommandColumns, WithRadiansInTheirNamesAreToldTheOption) {
 
 TEST(CommandColumns, AreRefusedWithPlaceValueAndFix) {
   EXPECT_EQ(RefusalOf("elevation_deg,plane_deg\n15,40\n-15,40\n"),
-            "t.csv:3: elevation_deg is -15: elevation counts from 0, hanging, up to 180. ISB's "
-            "Y-X'-Y'' writes that of a raised arm negative: if this one is so, give --convention "
+            "t.csv:3: elevation_deg is -15: elevation counts from 0, hanging, up to 180. In ISB's "
+            "Y-X'-Y'' a raised arm has a negative elevation: for such angles give --convention "
             "isb");
   // An axial turn is ISB's, too, and stays so where only the elevation is turned by hand.
   EXPECT_EQ(RefusalOf("elevation_deg,plane_deg,axial_deg\n-15,40,-60\n"),
-            "t.csv:2: elevation_deg is -15: elevation counts from 0, hanging, up to 180. ISB's "
-            "Y-X'-Y'' writes that of a raised arm negative: if this one is so, give --convention "
+            "t.csv:2: elevation_deg is -15: elevation counts from 0, hanging, up to 180. In ISB's "
+            "Y-X'-Y'' a raised arm has a negative elevation: for such angles give --convention "
             "isb, which reads axial as ISB's third angle, too. If you turn the sign of the "
             "elevation yourself instead, leave axial as it is and give --axial-from isb");
   EXPECT_EQ(RefusalOf("elevation_deg,plane_deg,axial_deg\n15,40,-60\n", kIsb),

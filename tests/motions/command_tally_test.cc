@@ -42,8 +42,9 @@ TEST(TallyText, SaysWhereTheHangingArmComesFromThatRotationsCountFrom) {
 }
 
 TEST(CommandTally, AddsUpParts) {
-  CommandTally tally{9, 3, 2, 2, 4, 0.5};
-  tally.Add({1, 1, 1, 1, 1, 0.25});
+  CommandTally tally{9, 3, 2, 2, 4, 0.25};
+  tally.Add({1, 1, 1, 1, 1, 0.5});
+  tally.Add({0, 0, 0, 0, 0, 0.125});
   EXPECT_EQ(tally.rows, 10U);
   EXPECT_EQ(tally.clamped, 4U);
   EXPECT_EQ(tally.beyond, 3U);

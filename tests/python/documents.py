@@ -204,15 +204,20 @@ def lines_of(text: str) -> list[str]:
     return [line for line in text.splitlines() if line.strip()]
 
 
-def first_difference(shown: str, printed: str) -> str:
-    """The first shown line that was not printed where it is shown; empty if all were.
+def first_difference(shown: str, printed: str, excerpt: bool = False) -> str:
+    """The first line that was shown and not printed there, or printed and not shown; empty if none.
 
-    The lines between two "..." stand together in what was printed; the parts are in its order.
+    The lines between two "..." stand together in what was printed; the parts are in its order. What
+    does not begin or end with "..." begins or ends what was printed, unless it is an excerpt.
     """
     lines = [without_rounding(line) for line in lines_of(printed)]
+    parts = [lines_of(part) for part in re.split(rf"^{re.escape(LEFT_OUT)}$", shown, flags=re.MULTILINE)]
+    if not excerpt:
+        for end, shown_lines in ((0, parts[0]), (-1, parts[-1])):
+            if shown_lines and lines and without_rounding(shown_lines[end]) != lines[end]:
+                return lines_of(printed)[end]
     start = 0
-    for part in re.split(rf"^{re.escape(LEFT_OUT)}$", shown, flags=re.MULTILINE):
-        wanted = lines_of(part)
+    for wanted in parts:
         if not wanted:
             continue
         keys = [without_rounding(line) for line in wanted]

@@ -145,7 +145,7 @@ POSE = ("--elevation", "60", "--plane", "40")
         ((*POSE, "--axial", "0", "--axial-from", "ulna"), ("--axial-from ulna", "rhythm, isb, swing")),
         ((*POSE, "--axial-from", "isb"), ("--axial-from isb", "Add --axial")),
         (("--elevation", "0:90:5", "--plane", "0", "--axial-from", "isb"), ("no axial turn", "Add --axial")),
-        (("--posture", "relaxed", "--axial-from", "isb"), ("--posture says all", "Leave")),
+        (("--posture", "relaxed", "--axial-from", "isb"), ("--posture gives the whole arm", "Omit")),
     ],
 )
 def test_a_zero_without_a_turn_or_of_an_unknown_name_is_refused(

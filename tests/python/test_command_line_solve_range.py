@@ -677,10 +677,11 @@ def test_an_unknown_posture_is_refused_with_the_known_one(refuses: Refuses, word
     [
         *(("--elevation", "60"), ("--plane", "30"), ("--axial", "5"), ("--shrug", "5")),
         *(("--protraction", "5"), ("--derivatives",), ("--in", "-"), ("--threads", "2")),
+        *(("--convention", "isb"), ("--angles", "rad")),
     ],
     ids=" ".join,
 )
-def test_a_posture_says_all_of_the_arm(refuses: Refuses, further: tuple[str, ...]) -> None:
+def test_a_posture_gives_the_whole_arm(refuses: Refuses, further: tuple[str, ...]) -> None:
     because = ("--posture", "Omit the other options")
     refuses("solve", "--posture", "relaxed", *further, because=because)
 

@@ -94,7 +94,7 @@ def rows_of(text: str) -> dict[str, dict[str, str]]:
         assert found, line
         # Numbers end where their heading ends, words begin where it begins.
         assert found.end("worst") == heading.index("worst") + len("worst"), line
-        assert found.start("tolerance") == heading.index("tolerance"), line
+        assert found.start("tolerance") == heading.index("required"), line
         assert found.start("checked") == heading.index("checked"), line
         rows[found["kind"]] = {name: text or "" for name, text in found.groupdict().items()}
     return rows

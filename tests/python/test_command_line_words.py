@@ -259,14 +259,24 @@ def test_an_empty_word_is_refused_with_its_place(refuses: Refuses, words: Words,
 @pytest.mark.parametrize(
     ("words", "because"),
     [
-        ((*POSE, "--digits"), "--digits: has no value. Give one, such as --digits N"),
-        (("solve", "--plane", "40", "--elevation"), "such as --elevation DEG"),
+        ((*POSE, "--digits"), "--digits: has no value. Write it as --digits N"),
+        (("solve", "--plane", "40", "--elevation"), "--elevation: has no value. Write it as --elevation DEG"),
         (
             (*POSE, "--out", "-x.csv"),
-            "--out: has no value, because '-x.csv' is read as an option. Give one, such as --out FILE, "
-            "or write --out=-x.csv",
+            "--out: has no value, because '-x.csv' is read as an option. Write "
+            "--out=-x.csv if it is the value",
         ),
-        ((*POSE, "--out", "--json"), "--out: has no value, because '--json' is read as an option"),
+        (
+            (*POSE, "--out", "--json"),
+            "--out: has no value, because the option --json follows. Write it as --out FILE",
+        ),
+        (
+            ("solve", "-elevation", "90"),
+            "-elevation: options begin with two dashes. Did you mean '--elevation'?",
+        ),
+        ((*POSE, "-p", "3"), "-p: options begin with two dashes. See girdle solve --help"),
+        (("--hlep",), "--hlep: girdle has no such option. Did you mean '--help'?"),
+        (("solve", "trial.csv"), "If it is a file, write --in trial.csv."),
         ((*POSE, "--digits", "3", "--digits=4"), "--digits: is given twice. Omit one of them"),
         ((*POSE, "--json", "--json"), "--json: is given twice"),
         ((*POSE, "--json=yes"), "--json: takes no value. Write --json alone, or omit it"),

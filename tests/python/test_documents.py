@@ -65,7 +65,8 @@ def test_a_document_can_be_typed_from_top_to_bottom(
         if before.language == "sh" and set(lines) == {":"}:
             continue  # held against the source, in test_documents_tables.py
         compare = first_unknown if "girdle doctor\n" in before.text else first_difference
-        wrong = compare(block.text, printed[number - 1])
+        excerpt = {"excerpt": True} if "scripts/run" in before.text else {}
+        wrong = compare(block.text, printed[number - 1], **excerpt)
         near = difflib.get_close_matches(wrong, printed[number - 1].splitlines(), n=3)
         assert not wrong, "\n".join([f"{document.name}:{block.line}: shows", wrong, "for", *near])
     for name in files():
@@ -110,7 +111,7 @@ first  2.37       deg
 second  1.2e-13   mm
 third  5          mm
 
-kind           worst  tolerance  checked  at elevation/plane
+kind           worst  required  checked  at elevation/plane
 closure  1.5e-09 deg  <= 1e-06   2        flexion 0/90
 range       64.8 deg  no limit   0        grid 62.5/-95
 
@@ -136,7 +137,7 @@ closure   plane  1.75e-09      1e-06  deg   pass    flexion, elevation 0, plane 
     ],
 )
 def test_an_excerpt_of_what_is_printed_is_found(shown: str) -> None:
-    assert first_difference(shown, PRINTED) == ""
+    assert first_difference(shown, PRINTED, excerpt=True) == ""
 
 
 @pytest.mark.parametrize(
@@ -156,7 +157,24 @@ def test_an_excerpt_of_what_is_printed_is_found(shown: str) -> None:
     ],
 )
 def test_what_is_not_printed_so_is_named(shown: str, wrong: str) -> None:
-    assert first_difference(shown, PRINTED) == wrong
+    assert first_difference(shown, PRINTED, excerpt=True) == wrong
+
+
+@pytest.mark.parametrize(
+    ("shown", "wrong"),
+    [
+        ("a\nb\nc", ""),
+        ("a\n...", ""),
+        ("...\nb\n...", ""),
+        ("...\nc", ""),
+        ("b\nc", "a"),
+        ("a\nb", "c"),
+        ("a\n...\nb", "c"),
+        ("b\n...", "a"),
+    ],
+)
+def test_a_line_that_is_printed_before_or_after_is_shown_or_left_out_in_sight(shown: str, wrong: str) -> None:
+    assert first_difference(shown, "a\nb\nc\n") == wrong
 
 
 def test_a_document_whose_command_fails_is_named_with_the_command(

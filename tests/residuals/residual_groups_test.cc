@@ -22,7 +22,7 @@ using Lines = std::set<std::string>;
 constexpr std::array kPhases = {StepPhase::kMoving, StepPhase::kSettling, StepPhase::kSettled,
                                 StepPhase::kCycling};
 constexpr std::array kKinds = {PoseKind::kAtTargets, PoseKind::kTableHeld, PoseKind::kTableOnThorax,
-                               PoseKind::kGridHeld, PoseKind::kGridAsked};
+                               PoseKind::kGridHeld, PoseKind::kGridCommand};
 
 // Read from the model, not from a state.
 const Lines kOfTheModel = {"bones: masses",

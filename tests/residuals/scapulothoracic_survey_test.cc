@@ -26,6 +26,7 @@ namespace {
 
 // What is left by equality constraints solved to 1e-9 rad, in degrees.
 constexpr double kSolved_deg = 1e-6;
+constexpr double kSolved_rad = RadiansFromDegrees(kSolved_deg);
 // Positions by a chain of a few rotations.
 constexpr double kSolved_m = 1e-8;
 
@@ -159,11 +160,11 @@ TEST_F(SurveyGirdleTest, FindsTheAnglesThatTheModelIsAFormulaOf) {
   const ScapulothoracicSurvey survey = Survey(FormulaModel(), FormulaMapping());
   ASSERT_EQ(survey.positions.size(), 25U);
   for (const SurveyedPosition& position : survey.positions) {
-    const double elevation = position.asked_elevation_rad;
-    const double plane = position.asked_plane_rad;
+    const double elevation = position.elevation_rad;
+    const double plane = position.plane_rad;
     ASSERT_EQ(position.not_reached, "");
-    EXPECT_NEAR(position.reached.elevation_rad, elevation, kSolved_deg);
-    EXPECT_NEAR(position.reached.plane_rad, plane, kSolved_deg);
+    EXPECT_NEAR(position.reached.elevation_rad, elevation, kSolved_rad);
+    EXPECT_NEAR(position.reached.plane_rad, plane, kSolved_rad);
     const GirdleFigures& model_deg = position.model_deg;
     const auto expect = [&](GirdleFigure figure, double value_rad) {
       EXPECT_NEAR(Figure(model_deg, figure), DegreesFromRadians(value_rad), kSolved_deg)
@@ -183,8 +184,8 @@ TEST_F(SurveyGirdleTest, FindsTheAnglesThatTheModelIsAFormulaOf) {
 TEST_F(SurveyGirdleTest, HoldsThemAgainstTheMeasuredOnesForTheSameArm) {
   const ShoulderRhythm rhythm = BuiltInRhythm();
   for (const SurveyedPosition& position : Survey(FormulaModel(), FormulaMapping()).positions) {
-    const double elevation = position.asked_elevation_rad;
-    const double plane = position.asked_plane_rad;
+    const double elevation = position.elevation_rad;
+    const double plane = position.plane_rad;
     const ShoulderPose measured = rhythm.SolvePose({elevation, plane});
     const Quaternion q_TS = QuaternionFromEuler(
         EulerSequence::kYXZ, {InternalRotation(plane), UpwardRotation(elevation), Tilt(elevation)});
@@ -204,17 +205,17 @@ TEST_F(SurveyGirdleTest, HoldsThemAgainstTheMeasuredOnesForTheSameArm) {
   }
 }
 
-TEST_F(SurveyGirdleTest, TheMeasuredOnesAreThoseOfWhereTheArmIsAndNotOfWhereItWasAsked) {
+TEST_F(SurveyGirdleTest, TheMeasuredOnesAreThoseOfWhereTheArmIsAndNotOfTheCommand) {
   CsvText text(FormulaMapping());
   text.AddColumn("offset_deg", "");
   text.Cell(12, "offset_deg") = "4";
   text.Cell(13, "offset_deg") = "-3";
   const ShoulderRhythm rhythm = BuiltInRhythm();
   for (const SurveyedPosition& position : Survey(FormulaModel(), text.Text()).positions) {
-    const double elevation = position.asked_elevation_rad + RadiansFromDegrees(4);
-    const double plane = position.asked_plane_rad - RadiansFromDegrees(3);
-    EXPECT_NEAR(position.reached.elevation_rad, elevation, kSolved_deg);
-    EXPECT_NEAR(position.reached.plane_rad, plane, kSolved_deg);
+    const double elevation = position.elevation_rad + RadiansFromDegrees(4);
+    const double plane = position.plane_rad - RadiansFromDegrees(3);
+    EXPECT_NEAR(position.reached.elevation_rad, elevation, kSolved_rad);
+    EXPECT_NEAR(position.reached.plane_rad, plane, kSolved_rad);
     const Vector3 measured_rad =
         EulerFromQuaternion(EulerSequence::kYXZ, rhythm.SolvePose({elevation, plane}).q_TS());
     EXPECT_NEAR(Figure(position.measured_deg, GirdleFigure::kUpwardRotation),
@@ -336,8 +337,8 @@ TEST_F(SurveyGirdleTest, TheChangeOfTheScapulaDoesNotDependOnItsLandmarks) {
 TEST_F(SurveyGirdleTest, CountsWhatIsBeyondTheTableByItself) {
   const ScapulothoracicSurvey survey = Survey(FormulaModel(), FormulaMapping());
   for (const SurveyedPosition& position : survey.positions) {
-    const double elevation_deg = DegreesFromRadians(position.asked_elevation_rad);
-    const double plane_deg = DegreesFromRadians(position.asked_plane_rad);
+    const double elevation_deg = DegreesFromRadians(position.elevation_rad);
+    const double plane_deg = DegreesFromRadians(position.plane_rad);
     EXPECT_EQ(position.is_in_table, elevation_deg < 121 && plane_deg > -1 && plane_deg < 91)
         << elevation_deg << " " << plane_deg;
   }
@@ -429,12 +430,21 @@ TEST_F(SurveyGirdleTest, SaysWhichPositionsAreBeyondTheRangeOfAJoint) {
       Replaced(FormulaModel(), "<joint name=\"raise\"", "<joint name=\"raise\" range=\"0 1.7\"");
   const ScapulothoracicSurvey survey = Survey(xml, FormulaMapping());
   for (const SurveyedPosition& position : survey.positions) {
-    EXPECT_EQ(position.not_reached.empty(), position.asked_elevation_rad < 1.7);
+    EXPECT_EQ(position.not_reached.empty(), position.elevation_rad < 1.7);
   }
   const Residual& line = Line(survey, "arm", "positions not reached");
   EXPECT_EQ(line.value, 10);
   EXPECT_EQ(line.where,
             "of 25; elevation 120, plane -20: raise would be 120, its range is 0 to 97.4");
+  // The summary shows few lines of the report, and this one in any case.
+  for (const std::size_t width : {std::size_t{60}, std::size_t{80}}) {
+    std::string summary = SurveyIn({ReportForm::kSummary, {.width = width}}, survey);
+    std::ranges::replace(summary, '\n', ' ');
+    EXPECT_NE(
+        summary.find("Positions not reached: " + std::to_string(std::lround(line.value)) + " of "),
+        std::string::npos)
+        << summary;
+  }
 }
 
 TEST_F(SurveyGirdleTest, SaysThatConstraintsCannotBeMet) {
@@ -464,9 +474,8 @@ TEST_F(SurveyGirdleTest, FindsItsWayBackFromAPositionThatCannotBeMet) {
   // The sled slides in the frontal plane: other planes cannot be met.
   const ScapulothoracicSurvey survey = Survey(xml, FormulaMapping());
   for (const SurveyedPosition& position : survey.positions) {
-    EXPECT_EQ(position.not_reached.empty(), position.asked_plane_rad == 0)
-        << position.asked_elevation_rad << " " << position.asked_plane_rad << " "
-        << position.not_reached;
+    EXPECT_EQ(position.not_reached.empty(), position.plane_rad == 0)
+        << position.elevation_rad << " " << position.plane_rad << " " << position.not_reached;
   }
 }
 

@@ -222,7 +222,7 @@ TEST_P(VisitsTest, ShowEveryPositionOfTheTableOnce) {
 
 // Of 19 elevations and 24 planes; an arm that does not go so far goes as far as it does.
 TEST_P(VisitsTest, ShowAGridOverAllThatTheArmReaches) {
-  for (const PoseKind kind : {PoseKind::kGridHeld, PoseKind::kGridAsked}) {
+  for (const PoseKind kind : {PoseKind::kGridHeld, PoseKind::kGridCommand}) {
     const Visits& visits = Poses("grid", kind);
     EXPECT_EQ(visits.count(), 19U * 24U);
     ExpectExtents(visits.commands, {0, 180}, {-95, 135}, 1e-9);
@@ -248,7 +248,7 @@ TEST_P(VisitsTest, AreNoOthers) {
   std::set<StepKey> steps = {{"1 Hz", StepPhase::kCycling}};
   std::set<PoseKey> poses = {{"table", PoseKind::kAtTargets},
                              {"grid", PoseKind::kGridHeld},
-                             {"grid", PoseKind::kGridAsked}};
+                             {"grid", PoseKind::kGridCommand}};
   for (const Motion& motion : kMotions) {
     for (const StepPhase phase : {StepPhase::kMoving, StepPhase::kSettling, StepPhase::kSettled}) {
       steps.insert({motion.name, phase});

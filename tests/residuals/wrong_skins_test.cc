@@ -153,7 +153,7 @@ ModelFault NotANumberAt(int vertex) {
 // --- The models ----------------------------------------------------------------------------------
 
 const Lines kOffBlend = {"MuJoCo - linear blend, at rest", "MuJoCo - linear blend, moving"};
-const Lines kPosed = {"MuJoCo - pose asked for"};
+const Lines kPosed = {"MuJoCo - commanded pose"};
 const Lines kBound = {"bones - where they were bound"};
 const Lines kRises = {"acromion's skin rises, plane 0", "acromion's skin rises, plane 40",
                       "acromion's skin rises, plane 90"};

@@ -23,7 +23,7 @@ namespace {
 
 // Quaternions in double precision.
 constexpr double kRounding = 1e-12;
-constexpr SaidAngles kAll = {{true, true, true, true, true, true}};
+constexpr DefinedAngles kAll = {{true, true, true, true, true, true}};
 
 std::vector<double> Radians(std::vector<double> angles_deg) {
   for (double& angle : angles_deg) angle = RadiansFromDegrees(angle);
@@ -44,7 +44,7 @@ const ShoulderRhythm& Measured() {
 PublishedRhythm Turned(const Quaternion& clavicle_turn, const Quaternion& scapula_turn) {
   PublishedRhythm rhythm;
   rhythm.name = "turned";
-  rhythm.said = kAll;
+  rhythm.defined = kAll;
   rhythm.girdle = [=](double elevation_rad, double plane_rad) -> GirdlePose {
     const ShoulderPose pose = Measured().Solve({elevation_rad, plane_rad, 0}).pose;
     return {pose.q_TC * clavicle_turn, pose.q_TS() * scapula_turn};
@@ -139,9 +139,9 @@ TEST(Compare, TakesADifferenceOfAnglesTheShortWay) {
 
 TEST(Compare, LeavesOutWhatARhythmDoesNotSay) {
   const MapPosition position = PositionsOf(Measured(), Map({60}, {40})).at(0);
-  const auto is_compared = [&position](const SaidAngles& said) {
+  const auto is_compared = [&position](const DefinedAngles& defined) {
     std::string letters;
-    for (const auto& difference_rad : DifferencesAt(position, {kNoTurn, kNoTurn}, said)) {
+    for (const auto& difference_rad : DifferencesAt(position, {kNoTurn, kNoTurn}, defined)) {
       letters += difference_rad ? 'x' : '-';
     }
     return letters;
@@ -156,7 +156,7 @@ TEST(Compare, LeavesOutWhatARhythmDoesNotSay) {
 
 TEST(Compare, HasNoFiguresWhereNothingIsSaid) {
   PublishedRhythm silent = Turned(kNoTurn, kNoTurn);
-  silent.said = {};
+  silent.defined = {};
   const Comparison comparison = Compare(Measured(), {silent}, Map({60}, {40}));
   for (std::size_t k = 0; k < kDifferenceCount; ++k) {
     EXPECT_FALSE(comparison.rhythms[0].on_map[k]) << kDifferenceNames[k];

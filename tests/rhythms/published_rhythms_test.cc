@@ -153,15 +153,15 @@ TEST(PublishedRhythms, AllRaiseBonesAsTheArmIsRaised) {
 
 TEST(PublishedRhythms, SayNoMoreThanTheyPublish) {
   for (const char* const name : {"Inman", "Braman"}) {
-    EXPECT_EQ(Rhythm(name).said.angles, (std::array{false, false, false, false, true, false}))
+    EXPECT_EQ(Rhythm(name).defined.angles, (std::array{false, false, false, false, true, false}))
         << name;
   }
-  const SaidAngles de_groot_brand = Rhythm("de Groot and Brand").said;
+  const DefinedAngles de_groot_brand = Rhythm("de Groot and Brand").defined;
   EXPECT_EQ(de_groot_brand.angles, (std::array{true, true, false, true, true, true}));
   EXPECT_FALSE(de_groot_brand.Clavicle());
   EXPECT_TRUE(de_groot_brand.Scapula());
   for (const char* const name : {"MoBL-ARMS", "frozen girdle"}) {
-    EXPECT_TRUE(Rhythm(name).said.Clavicle() && Rhythm(name).said.Scapula()) << name;
+    EXPECT_TRUE(Rhythm(name).defined.Clavicle() && Rhythm(name).defined.Scapula()) << name;
   }
 }
 
