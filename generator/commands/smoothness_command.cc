@@ -107,11 +107,11 @@ nlohmann::ordered_json SkinAsJson(const SkinContinuity& skin) {
   return json;
 }
 
-std::string AsJson(const ShoulderRhythm& rhythm, const std::vector<InterpolationJumps>& jumps,
+std::string AsJson(const ResolvedRhythm& checked, const std::vector<InterpolationJumps>& jumps,
                    const std::vector<RhythmCheck>& checks,
                    const std::optional<SkinContinuity>& skin, bool passed) {
   nlohmann::ordered_json json;
-  json["rhythm"] = TextOf(rhythm.options());
+  json["rhythm"] = checked.text();
   json["passed"] = passed;
   json["jumps"] = nlohmann::ordered_json::array();
   for (const InterpolationJumps& row : jumps) {
@@ -173,7 +173,7 @@ bool Measure(const SmoothnessArguments& arguments) {
   const bool passed = std::all_of(checks.begin(), checks.end(),
                                   [](const RhythmCheck& check) { return check.passed(); });
   if (arguments.json) {
-    Print(AsJson(rhythm, jumps, checks, skin, passed));
+    Print(AsJson(checked, jumps, checks, skin, passed));
     return passed;
   }
   Print("interpolations compared on the table " + compared.table_name() + "\n" +

@@ -19,10 +19,11 @@ namespace {
 const Vector3 kCenter_m{-0.05, -0.17, 1.4};
 constexpr double kExtent_m = 0.7;
 constexpr double kCameraDistance_m = 1.0;
-// Both shoulders are wider than one by this factor.
+// Both shoulders are wider than one by this factor; hands that are raised are higher than wide.
 constexpr double kBothSides = 1.25;
+constexpr double kBothSidesWithHands = 1.1;
 // Forearms and hands of a skin reach farther than elbows by this factor.
-constexpr double kWithHands = 1.3;
+constexpr double kWithHands = 1.75;
 
 // Returns the length of the bones from the thorax's origin to the elbow.
 double Reach_m(const Anatomy& anatomy) {
@@ -52,7 +53,7 @@ View ViewOf(const Anatomy& anatomy, Sides sides, bool has_skin) {
     case Sides::kBoth:
       break;
   }
-  return {{center_m.x, 0, center_m.z}, scale * kBothSides};
+  return {{center_m.x, 0, center_m.z}, scale * (has_skin ? kBothSidesWithHands : kBothSides)};
 }
 
 void WriteCamera(XmlElement& world, const View& view, const char* name, const Vector3& direction,
@@ -93,8 +94,8 @@ std::string SceneXml(const std::string& model_file, const Anatomy& anatomy, Side
       .Set("name", "floor")
       .Set("type", "2d")
       .Set("builtin", "checker")
-      .Set("rgb1", std::array{0.8, 0.81, 0.82})
-      .Set("rgb2", std::array{0.76, 0.77, 0.78})
+      .Set("rgb1", std::array{0.84, 0.85, 0.86})
+      .Set("rgb2", std::array{0.8, 0.81, 0.82})
       .Set("width", 256)
       .Set("height", 256);
   asset.Add("material")
@@ -105,12 +106,14 @@ std::string SceneXml(const std::string& model_file, const Anatomy& anatomy, Side
       .Set("specular", 0.0);
   XmlElement world = root.Add("worldbody");
   // A light from above and in front. It is directional, so that the ground is equally bright
-  // everywhere.
+  // everywhere. Lights cast no shadows: MuJoCo's shadows speckle skin and ground, and a thorax
+  // without legs has a shadow that explains nothing.
   world.Add("light")
       .Set("directional", "true")
       .Set("pos", Vector3{1.5, -1.0, 3.0})
       .Set("dir", Vector3{-0.6, 0.3, -0.7})
-      .Set("diffuse", std::array{0.45, 0.45, 0.45});
+      .Set("diffuse", std::array{0.45, 0.45, 0.45})
+      .Set("castshadow", "false");
   // A light for the back, where the scapula is.
   world.Add("light")
       .Set("directional", "true")

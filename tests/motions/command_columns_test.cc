@@ -180,8 +180,8 @@ TEST(CommandColumns, AreRefusedWithoutAnAxialTurnWhereItsZeroIsSaid) {
   said.axial_from = AxialFrom::kIsb;
   said.must_have_axial = true;
   EXPECT_EQ(RefusalOf("elevation_deg,plane_deg\n15,40\n", said),
-            "t.csv:1: --axial-from isb: no axial turn is given. Add the column axial_deg, or leave "
-            "--axial-from away");
+            "t.csv:1: --axial-from isb: no axial turn is given. Add the column axial_deg, or omit "
+            "--axial-from");
   EXPECT_EQ(RefusalOf("elevation_deg,plane_deg,axial_deg\n15,40,1\n", said), "accepted");
 }
 

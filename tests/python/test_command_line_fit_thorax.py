@@ -207,7 +207,7 @@ def test_thorax_contact_is_not_for_a_scapula_that_leads(refuses: Refuses) -> Non
     refuses(
         *("generate", "--assembly", "loop", "--lead", "scapula", "--thorax-contact"),
         *("--out", "model"),
-        because=("--thorax-contact: not known where the scapula leads", "--lead clavicle"),
+        because=("--thorax-contact: not available with --lead scapula", "--lead clavicle"),
     )
 
 

@@ -124,7 +124,7 @@ REFUSED_WORDS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
     "rates of servos": (("--rates", *POSITION), ("--rates", "--actuation plugin")),
     "rates of a loop": (
         ("--rates", "--assembly", "loop"),
-        ("--rates: not known for the assembly loop", "--assembly tree"),
+        ("--rates: not available for the assembly loop", "--assembly tree"),
     ),
 }
 

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -58,6 +59,35 @@ TEST(Verdict, CountsWhatIsCheckedAndWhatFails) {
   EXPECT_EQ(VerdictText(report, {}), "FAIL: 2 of 3 residuals outside their tolerances\n");
 }
 
+TEST(Verdict, IsInTheSingularForOneResidual) {
+  ResidualReport report = PassingReport();
+  report.residuals.resize(1);
+  EXPECT_EQ(VerdictText(report, {}), "PASS: 1 residual checked, within its tolerance\n");
+  report.residuals.push_back(PassingReport().residuals[0]);
+  report.residuals[1].tolerance = std::nullopt;
+  EXPECT_NE(Summary(report).find(" 1 value has no tolerance."), std::string::npos)
+      << Summary(report);
+}
+
+TEST(Json, HasNullForAValueThatIsNotFinite) {
+  ResidualReport report = PassingReport();
+  report.residuals[0].value = std::numeric_limits<double>::quiet_NaN();
+  report.residuals[1].value = std::numeric_limits<double>::infinity();
+  const nlohmann::json json = nlohmann::json::parse(ReportIn({ReportForm::kJson, {}}, report));
+  EXPECT_TRUE(json["residuals"][0]["value"].is_null());
+  EXPECT_FALSE(json["residuals"][0]["passed"]);
+  EXPECT_TRUE(json["residuals"][1]["value"].is_null());
+  EXPECT_TRUE(json["residuals"][2]["value"].is_number());
+}
+
+TEST(Summary, ShortensOnlyThePlaceThatHasNoRoom) {
+  ResidualReport report = PassingReport();
+  report.residuals[3].where = std::string(60, 'x') + ", elevation 30, plane 40";
+  const std::string text = Summary(report);
+  EXPECT_TRUE(LineOf(text, "skin").ends_with("  30/40")) << text;
+  EXPECT_TRUE(LineOf(text, "joint constraint").ends_with("  1 Hz 90/-30")) << text;
+}
+
 TEST(Summary, HasTheVerdictFirstAndLast) {
   const std::string text = Summary(PassingReport());
   const std::string verdict = VerdictText(PassingReport(), {});
@@ -69,11 +99,11 @@ TEST(Summary, ShowsOfEachKindTheResidualNearestToItsTolerance) {
   const std::string text = Summary(PassingReport());
   // AC takes two thirds of its tolerance, SC half, though its value is larger.
   EXPECT_EQ(LineOf(text, "joint constraint"),
-            "joint constraint   0.02 mm  <= 0.03    2        1 Hz 90/-30")
+            "joint constraint   0.02 mm  <= 0.03   2        1 Hz 90/-30")
       << text;
-  EXPECT_EQ(LineOf(text, "skin"), "skin                  9 mm  > 8        1        30 to 120/0")
+  EXPECT_EQ(LineOf(text, "skin"), "skin                  9 mm  > 8       1        30 to 120/0")
       << text;
-  EXPECT_EQ(LineOf(text, "range"), "range             64.8 deg  no limit   0        grid 62.5/-95")
+  EXPECT_EQ(LineOf(text, "range"), "range             64.8 deg  no limit  0        grid 62.5/-95")
       << text;
 }
 
@@ -96,7 +126,7 @@ TEST(Summary, ShowsEveryFailureInFull) {
       std::string::npos)
       << text;
   EXPECT_EQ(
-      LineOf(text, "joint constraint").find("joint constraint      2 mm  <= 1       2, 1 FAIL"), 0U)
+      LineOf(text, "joint constraint").find("joint constraint      2 mm  <= 1      2, 1 FAIL"), 0U)
       << text;
 }
 
