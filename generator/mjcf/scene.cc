@@ -21,9 +21,11 @@ constexpr double kExtent_m = 0.7;
 constexpr double kCameraDistance_m = 1.0;
 // Both shoulders are wider than one by this factor; hands that are raised are higher than wide.
 constexpr double kBothSides = 1.25;
-constexpr double kBothSidesWithHands = 1.1;
+constexpr double kBothSidesWithHands = 1.15;
 // Forearms and hands of a skin reach farther than elbows by this factor.
-constexpr double kWithHands = 1.75;
+constexpr double kWithHands = 1.5;
+// Raised hands are farther above that point than a waist is below it.
+constexpr double kRaisedForHands_m = 0.14;
 
 // Returns the length of the bones from the thorax's origin to the elbow.
 double Reach_m(const Anatomy& anatomy) {
@@ -44,7 +46,8 @@ View ViewOf(const Anatomy& anatomy, Sides sides, bool has_skin) {
   const double scale = has_skin ? size * kWithHands : size;
   const Vector3 notch_m{0, 0, adult.jugular_notch_height_m};
   const Vector3 raised_m{0, 0, anatomy.jugular_notch_height_m - adult.jugular_notch_height_m};
-  const Vector3 center_m = kCenter_m + raised_m + (size - 1) * (kCenter_m - notch_m);
+  const Vector3 for_hands_m{0, 0, has_skin ? size * kRaisedForHands_m : 0};
+  const Vector3 center_m = kCenter_m + raised_m + for_hands_m + (size - 1) * (kCenter_m - notch_m);
   switch (sides) {
     case Sides::kRight:
       return {center_m, scale};
