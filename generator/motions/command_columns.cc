@@ -104,8 +104,7 @@ void CommandColumns::FindAxial(const CsvReader& csv) {
   }
   if (reading_.must_have_axial) {
     csv.Fail("--axial-from " + std::string(Name(reading_.axial_from)) +
-             ": no axial turn is given. Add the column " + kAxialColumn +
-             ", or omit --axial-from");
+             ": no axial turn is given. Add the column " + kAxialColumn + ", or omit --axial-from");
   }
 }
 

@@ -15,11 +15,11 @@ namespace girdle {
 
 struct CommandTally {
   std::size_t rows = 0;
-  std::size_t clamped = 0;  ///< answered by another command
-  std::size_t beyond = 0;   ///< of the clamped ones, those answered in another direction
+  std::size_t clamped = 0;   ///< answered by another command
+  std::size_t beyond = 0;    ///< of the clamped ones, those answered in another direction
   std::size_t derived = 0;   ///< answered by Origin::kDerived
   std::size_t modelled = 0;  ///< answered by Origin::kModelled
-  double farthest_rad = 0;  ///< largest distance of a command from measured directions
+  double farthest_rad = 0;   ///< largest distance of a command from measured directions
 
   /// Adds a command and the values that ShoulderSolution has for its answer.
   void Add(const ShoulderRhythm& rhythm, const ArmCommand& command, const ArmCommand& used,

@@ -19,8 +19,8 @@ namespace girdle {
                                                     const std::vector<std::string>& names,
                                                     std::size_t count);
 
-/// Returns the names of all bodies but the world, or of all sites, joints or actuators, in the order
-/// of their ids; nothing for another type. Elements without a name are left out.
+/// Returns the names of all bodies but the world, or of all sites, joints or actuators, in the
+/// order of their ids; nothing for another type. Elements without a name are left out.
 [[nodiscard]] std::vector<std::string> ElementNames(const mjModel& model, mjtObj type);
 
 /// Returns the id of a body, site, joint or actuator. Throws InputError at file and line if it does
