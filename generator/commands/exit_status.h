@@ -18,10 +18,10 @@ inline constexpr int kOutOfMemory = 4;     ///< Girdle's or MuJoCo's; more memor
 
 /// Writes to `out` what an exception that ends the program means, and returns the exit status.
 ///
-/// InputError is the user's to correct. std::filesystem::filesystem_error is too: it names a path that
-/// the system refuses. If memory is used up, neither the input nor Girdle is at fault. Every other
-/// exception is a fault of Girdle; its type and message are printed, and a line on what to report.
-/// Precondition: `exception` is not null.
+/// InputError is the user's to correct. std::filesystem::filesystem_error is too: it names a path
+/// that the system refuses. If memory is used up, neither the input nor Girdle is at fault. Every
+/// other exception is a fault of Girdle; its type and message are printed, and a line on what to
+/// report. Precondition: `exception` is not null.
 [[nodiscard]] int ReportException(const std::exception_ptr& exception, std::ostream& out);
 
 }  // namespace girdle

@@ -167,8 +167,9 @@ WrittenAngles WithScapulothoracic(const JointAngles& joints_rad, const Quaternio
   return angles_rad;
 }
 
-WrittenColumns<SolvedRow, RoundedNumbers> SolveColumns(const SolveOutput& output) {
-  return {kSolveColumns, output, {output.digits}};
+WrittenColumns<SolvedRow, RoundedNumbers> SolveColumns(const SolveOutput& output,
+                                                       const CsvDialect& dialect) {
+  return {kSolveColumns, output, {output.digits, dialect.decimal_mark}, dialect.separator};
 }
 
 }  // namespace girdle

@@ -16,7 +16,7 @@
 #include "commands/shoulder_points.h"
 #include "kinematics/assembly.h"
 #include "kinematics/shoulder_rhythm.h"
-#include "text/number_text.h"
+#include "text/csv_dialect.h"
 #include "text/output_columns.h"
 
 namespace girdle {
@@ -110,6 +110,9 @@ struct SolvedRow {
 /// axes [deg per deg].
 ///
 /// With points, each has three columns, `elbow_x_mm` and so on, in the thorax frame.
-[[nodiscard]] WrittenColumns<SolvedRow, RoundedNumbers> SolveColumns(const SolveOutput& output);
+///
+/// Separators and decimal marks are those of `dialect`.
+[[nodiscard]] WrittenColumns<SolvedRow, RoundedNumbers> SolveColumns(
+    const SolveOutput& output, const CsvDialect& dialect = {});
 
 }  // namespace girdle

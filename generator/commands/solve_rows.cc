@@ -13,6 +13,7 @@
 #include <string_view>
 #include <system_error>
 #include <thread>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -25,6 +26,7 @@
 #include "motions/command_columns.h"
 #include "motions/command_tally.h"
 #include "text/csv.h"
+#include "text/csv_dialect.h"
 #include "text/number_text.h"
 #include "text/text_file.h"
 
@@ -38,6 +40,9 @@ struct ColumnOption {
   double ArmCommand::*angle_rad;
   std::optional<double> RowOptions::*angle_deg;
 };
+
+// Names for the message about a missing header.
+constexpr std::array<std::string_view, 2> kExamplePose = {kElevationColumn, kPlaneColumn};
 
 constexpr std::array<ColumnOption, 3> kColumnOptions = {{
     {kAxialColumn, "--axial", &ArmCommand::axial_rad, &RowOptions::axial_deg},
@@ -81,22 +86,15 @@ std::optional<AxialFrom> AxialFromOfAll(const RowOptions& options) noexcept {
 // Writes the columns that follow each row. Immutable, because threads share it.
 class RowAnswers {
  public:
-  // `rhythm` and `options` must outlive it.
-  RowAnswers(const ShoulderRhythm& rhythm, const RowOptions& options)
-      : rhythm_(rhythm), output_(options.output), columns_(SolveColumns(output_)) {}
-
-  // Throws InputError at the header if a column would be twice in the output.
-  void ExpectNoneIn(const CsvReader& csv) const {
-    for (const std::string& name : columns_.names()) {
-      if (csv.HasColumn(name)) {
-        csv.Fail("column '" + name +
-                 "' would be there twice in the output. Rename it in the input");
-      }
-    }
-  }
+  // `rhythm` and `options` must outlive it. `dialect` is that of the rows.
+  RowAnswers(const ShoulderRhythm& rhythm, const RowOptions& options, const CsvDialect& dialect)
+      : rhythm_(rhythm),
+        output_(options.output),
+        separator_(dialect.separator),
+        columns_(SolveColumns(output_, dialect)) {}
 
   // Returns the header of the added columns, to follow the input's header, with a line end.
-  [[nodiscard]] std::string HeaderText() const { return "," + columns_.Header() + "\n"; }
+  [[nodiscard]] std::string HeaderText() const { return separator_ + columns_.Header() + "\n"; }
 
   // Results for rows. Each thread keeps one, so that memory is allocated once.
   struct Solved {
@@ -145,7 +143,7 @@ class RowAnswers {
         row.points = ShoulderPoints(*output_.points_of, solved.poses[i]);
       }
       text += rows.lines[i];
-      text += ',';
+      text += separator_;
       columns_.Append(text, row);
       text += '\n';
     }
@@ -166,8 +164,20 @@ class RowAnswers {
 
   const ShoulderRhythm& rhythm_;
   const SolveOutput& output_;
+  char separator_;
   WrittenColumns<SolvedRow, RoundedNumbers> columns_;
 };
+
+// Throws InputError at the header if a column would be twice in the output.
+void ExpectNoAnswersIn(const CsvReader& csv, const SolveOutput& output) {
+  const std::unordered_set<std::string_view> given(csv.columns().begin(), csv.columns().end());
+  const auto columns = SolveColumns(output);
+  for (const std::string& name : columns.names()) {
+    if (given.contains(name)) {
+      csv.Fail("column '" + name + "' would be there twice in the output. Rename it in the input");
+    }
+  }
+}
 
 // Rows of a CSV. One thread at a time takes a block; all threads read their blocks at once.
 class CsvInput {
@@ -192,13 +202,17 @@ class CsvInput {
 
   // Name in messages.
   [[nodiscard]] const std::string& name() const noexcept { return csv_.name(); }
-  [[nodiscard]] const std::string& header_line() const noexcept { return csv_.header_line(); }
+  // The header as it stands, behind the line that names the separator if there is one.
+  [[nodiscard]] std::string header_line() const {
+    const std::string& separator_line = csv_.header().dialect.separator_line;
+    return separator_line.empty() ? csv_.header_line() : separator_line + "\n" + csv_.header_line();
+  }
   // The zero that axial turns count from; nothing if there are none.
   [[nodiscard]] std::optional<AxialFrom> axial_from() const noexcept {
     return axial_from_of_all_ ? axial_from_of_all_ : columns_.axial_from();
   }
   // Total of SizeOf over all blocks; 0 if not known.
-  [[nodiscard]] std::uintmax_t size() const noexcept { return bytes_; }
+  [[nodiscard]] std::uintmax_t size() const noexcept { return bytes_ / csv_.bytes_per_unit(); }
   [[nodiscard]] static std::uintmax_t SizeOf(const Block& block) noexcept {
     return block.text.size();
   }
@@ -487,11 +501,11 @@ void SolveInput(Input& input, const RowAnswers& answers, const std::string& out,
 
 void SolveRows(const RowSource& source, const std::string& out, const ShoulderRhythm& rhythm,
                const RowOptions& options) {
-  CsvReader csv(source.in, source.name);
+  CsvReader csv(source.in, source.name, kExamplePose);
   CsvInput input(csv, source.bytes, options);
-  const RowAnswers answers(rhythm, options);
-  answers.ExpectNoneIn(csv);
-  SolveInput(input, answers, out, options.threads);
+  ExpectNoAnswersIn(csv, options.output);
+  csv.FindDecimalMark();
+  SolveInput(input, RowAnswers(rhythm, options, csv.header().dialect), out, options.threads);
 }
 
 void ExpectKnownUnit(const std::string& path, const AngleReading& reading) {
@@ -499,7 +513,7 @@ void ExpectKnownUnit(const std::string& path, const AngleReading& reading) {
     return;
   }
   std::ifstream in = OpenTextFile(path);
-  CsvReader csv(in, path);
+  CsvReader csv(in, path, kExamplePose);
   const CommandColumns columns(csv, reading);
   AngleSpan span;
   while (span.IsWithinRadians() && csv.Next()) {
@@ -511,7 +525,7 @@ void ExpectKnownUnit(const std::string& path, const AngleReading& reading) {
 void SolveSweep(const SweptPositions& sweep, const std::string& out, const ShoulderRhythm& rhythm,
                 const RowOptions& options) {
   SweepInput input(sweep, options);
-  SolveInput(input, RowAnswers(rhythm, options), out, options.threads);
+  SolveInput(input, RowAnswers(rhythm, options, {}), out, options.threads);
 }
 
 }  // namespace girdle

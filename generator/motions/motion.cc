@@ -4,8 +4,10 @@
 #include "motions/motion.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <optional>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -110,7 +112,9 @@ Motion ReachingMotion(std::string name, const ArmCommand& from, const ArmCommand
 }
 
 Motion ReadMotion(std::istream& in, const std::string& name, const MotionReading& reading) {
-  CsvReader csv(in, name);
+  constexpr std::array<std::string_view, 3> kExample = {kTimeColumn, kElevationColumn,
+                                                        kPlaneColumn};
+  CsvReader csv(in, name, kExample);
   const CommandColumns columns(csv, reading.angles, {kTimeColumn});
   RowTimes times(csv, reading.longest_s);
   std::vector<TimedCommand> rows;
