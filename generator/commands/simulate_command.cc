@@ -21,6 +21,7 @@
 #include "commands/progress.h"
 #include "commands/rhythm_arguments.h"
 #include "commands/simulation_module.h"
+#include "commands/table_arguments.h"
 #include "commands/word_argument.h"
 #include "kinematics/lengths.h"
 #include "motions/motion.h"
@@ -41,6 +42,7 @@ struct SimulateArguments {
   std::optional<std::string> in;
   std::optional<std::string> longest;
   AngleArguments angles;
+  TableArguments table;
   std::string out;
   std::string controls;
   std::string picture;
@@ -97,7 +99,8 @@ MotionRequest Requested(const SimulateArguments& arguments) {
   request.axial_from = AxialFromOf(arguments.axial_from, arguments.angles);
   if (!arguments.axial_from.empty() && !arguments.in) {
     throw InputError(
-        "--axial-from says how the column axial_deg of a motion is read. Give --in FILE, or omit it");
+        "--axial-from says how the column axial_deg of a motion is read. Give --in FILE, or omit "
+        "it");
   }
   const double longest_s = LongestMotion_s(arguments);
   if (arguments.in) {
@@ -108,9 +111,12 @@ MotionRequest Requested(const SimulateArguments& arguments) {
     }
     AngleReading reading = ReadingFrom(arguments.angles);
     reading.must_have_axial = !arguments.axial_from.empty();
-    request.motion = MotionFile{*arguments.in, {reading, longest_s}};
+    request.motion = MotionFile{*arguments.in,
+                                {reading, longest_s, ChosenColumns(arguments.table, true),
+                                 ChosenGaps(arguments.table, GapRule::kRefuse)}};
     return request;
   }
+  ExpectNoTable(arguments.table);
   ExpectNoUnit(arguments.angles);
   const std::string& raise = *arguments.elevation;
   const std::size_t colon = raise.find(':');
@@ -347,6 +353,7 @@ void AddSimulateCommand(CLI::App& program) {
         ->type_name("S");
     AddConventionArgument(*verb, arguments->angles);
     AddUnitArgument(*verb, arguments->angles);
+    AddTableArguments(*verb, arguments->table, GapRule::kRefuse);
     AddAxialFromArgument(*verb, arguments->axial_from,
                          "Zero of the column axial_deg of --in (default: the model's; isb with "
                          "--convention isb)");

@@ -11,6 +11,7 @@
 #include "text/near_names.h"
 #include "text/number_text.h"
 #include "text/shown_text.h"
+#include "text/small_letters.h"
 
 namespace girdle {
 namespace {
@@ -111,6 +112,19 @@ double CsvRows::Number(std::size_t column) const {
          NumberMend(field, header_.dialect));
   }
   return *number;
+}
+
+bool CsvRows::IsGap(std::size_t column) const {
+  const std::string_view field = Field(column);
+  return field.empty() || field == "NA" || field == "#N/A" || InSmallLetters(field) == "nan";
+}
+
+std::optional<double> CsvRows::NumberOrGap(std::size_t column) const {
+  const std::optional<double> number = FiniteNumber(Field(column), header_.dialect.decimal_mark);
+  if (!number && !IsGap(column)) {
+    return Number(column);  // throws
+  }
+  return number;
 }
 
 double CsvRows::NumberWithin(std::size_t column, double lower, double upper) const {
@@ -362,27 +376,6 @@ void CsvReader::ExpectOnlyColumns(const std::vector<std::string_view>& known) co
       Fail("column '" + ShortText(column) + "' is not known. " + DidYouMean(column, known) +
            "Remove it or correct its name");
     }
-  }
-}
-
-void CsvReader::ExpectNoneNearly(const std::vector<std::string_view>& known) const {
-  for (const std::string& column : columns()) {
-    ExpectNotNearly(column, known);
-  }
-}
-
-void CsvReader::ExpectNotNearly(const std::string& column,
-                                const std::vector<std::string_view>& known) const {
-  // A name that is known counts as it is, even if another known name is nearly equal.
-  if (std::find(known.begin(), known.end(), column) != known.end()) {
-    return;
-  }
-  const auto meant = std::find_if(known.begin(), known.end(), [&column](std::string_view name) {
-    return IsNearly(column, name);
-  });
-  if (meant != known.end()) {
-    Fail("column '" + ShortText(column) + "' is not known. Did you mean '" + std::string(*meant) +
-         "'? Correct its name, or give it one that is less alike");
   }
 }
 

@@ -76,6 +76,11 @@ class CsvRows {
   }
   /// Returns a field of the current row as a finite number. Throws otherwise.
   [[nodiscard]] double Number(std::size_t column) const;
+  /// Returns whether a field of the current row is a gap of a recording: an empty field, `NA`,
+  /// `#N/A`, or `NaN` in small or capital letters.
+  [[nodiscard]] bool IsGap(std::size_t column) const;
+  /// Returns a field as Number does; nothing if it is a gap.
+  [[nodiscard]] std::optional<double> NumberOrGap(std::size_t column) const;
   /// Returns a field as Number does. Throws too if it is outside [lower, upper].
   [[nodiscard]] double NumberWithin(std::size_t column, double lower, double upper) const;
 
@@ -145,9 +150,6 @@ class CsvReader {
   /// Throws if the file has a column that is not among `known`. This is for formats that have no
   /// other columns.
   void ExpectOnlyColumns(const std::vector<std::string_view>& known) const;
-  /// Throws if the name of a column is nearly one of `known` (IsNearly), with the name that is
-  /// meant.
-  void ExpectNoneNearly(const std::vector<std::string_view>& known) const;
 
   /// The current row, whose fields the functions of CsvRows return.
   [[nodiscard]] const CsvRows& row() const noexcept { return rows_; }
@@ -168,7 +170,6 @@ class CsvReader {
   void ReadNames(std::span<const std::string_view> example);
   /// Takes the separator from the line before the header. Throws for an unknown one.
   void TakeSeparatorLine(std::string_view line, std::size_t line_number);
-  void ExpectNotNearly(const std::string& column, const std::vector<std::string_view>& known) const;
   /// Waits until whole lines are at hand. Returns false at the end.
   [[nodiscard]] bool WaitForLines();
   /// Takes lines as TakeBlock does, with empty lines among them.

@@ -368,23 +368,6 @@ TEST(CsvReader, RefusesAColumnThatIsNotKnown) {
             "t.csv:1: column 'b' is not known. Remove it or correct its name");
 }
 
-TEST(CsvReader, RefusesAColumnThatIsNearlyKnownAmongOthers) {
-  std::istringstream in("note,plane_deg,axial\n");
-  const CsvReader csv(in, "t.csv");
-  EXPECT_NO_THROW(csv.ExpectNoneNearly({"plane_deg", "time_s"}));
-  EXPECT_EQ(MessageOf<InputError>([&] {
-              csv.ExpectNoneNearly({"plane_deg", "axial_deg"});
-            }),
-            "t.csv:1: column 'axial' is not known. Did you mean 'axial_deg'? Correct its name, or "
-            "give it one that is less alike");
-}
-
-TEST(CsvReader, LeavesAKnownNameThatIsNearlyAnother) {
-  std::istringstream in("time_s,times_s\n");
-  const CsvReader csv(in, "t.csv");
-  EXPECT_NO_THROW(csv.ExpectNoneNearly({"time_s", "times_s"}));
-}
-
 TEST(CsvReader, AcceptsThatKnownColumnsAreMissing) {
   std::istringstream in("a,b\n");
   const CsvReader csv(in, "t.csv");
