@@ -196,6 +196,8 @@ std::string SummaryAsJson(const SimulateArguments& arguments, const SimulationSu
   json["clamped_rows"] = summary.tally.clamped;
   json["derived_rows"] = summary.tally.derived;
   json["modelled_rows"] = summary.tally.modelled;
+  json["gap_rows"] = summary.tally.gaps;
+  json["bridged_rows"] = summary.tally.bridged;
   json["worst_distance_deg"] = DegreesFromRadians(summary.tally.farthest_rad);
   json["worst_tracking_error_deg"] = summary.worst_error_deg;
   json["last_tracking_error_deg"] = summary.last_error_deg;

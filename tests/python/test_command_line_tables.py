@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 import subprocess
 from pathlib import Path
@@ -389,3 +390,5 @@ def test_a_motion_passes_over_gaps(
     assert passed.output == whole.output
     counted = ", 1 bridged" if option[0] == "--bridge-gaps" else ", 1 gap"
     assert passed.message == whole.message.replace("whole", "motion").removesuffix("\n") + f"{counted}\n"
+    summary = json.loads(girdle("simulate", model_path, "--in", "motion.csv", "--json", *option).output)
+    assert (summary["gap_rows"], summary["bridged_rows"]) == ((0, 1) if counted == ", 1 bridged" else (1, 0))
