@@ -16,8 +16,8 @@
 /// 180, -e, axial + 180). The second way is an error here. Otherwise a file with the wrong sign of
 /// the elevation would become an arm that points backwards.
 ///
-/// Every function throws std::invalid_argument. The message says what is expected and how to correct
-/// it. The caller puts place and value before it.
+/// Every function throws std::invalid_argument. The message says what is expected and how to
+/// correct it. The caller puts place and value before it.
 #pragma once
 
 #include <array>

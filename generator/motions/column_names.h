@@ -36,7 +36,7 @@ struct NamedColumn {
 [[nodiscard]] std::vector<NamedColumn> ReadNamedColumns(std::string_view text,
                                                         std::span<const std::string_view> known);
 
-/// What a column of axial turns counts.
+/// The meaning of the numbers in a column of axial turns.
 enum class AxialMeaning {
   kAsRead,        ///< turns from the zero that is given with the file
   kIsb,           ///< ISB's third angle
@@ -66,10 +66,10 @@ class ColumnNames {
   [[nodiscard]] std::size_t Column(std::string_view known) const;
   /// Returns whether a column of the file is one of the known columns.
   [[nodiscard]] bool IsTaken(std::string_view in_file) const noexcept;
-  /// Whether the name of a known column is given by the user.
+  /// Returns whether the user gives the name of a known column.
   [[nodiscard]] bool IsGiven(std::string_view known) const noexcept;
 
-  /// What the column of axial turns counts.
+  /// The meaning of the numbers in the column of axial turns.
   [[nodiscard]] AxialMeaning axial() const noexcept { return axial_; }
 
   /// Returns `read 'shoulder_elv' as elevation_deg, 'elv_angle' as plane_deg`. Empty if every known

@@ -113,7 +113,6 @@ std::optional<ArmCommand> CommandColumns::Read(const CsvRows& row, const ArmComm
                                                AngleSpan& span) const {
   ArmCommand command = otherwise;
   // All fields of a row with a gap are read: another field may have an error.
-  bool has_gap = false;
   const std::optional<double> elevation = row.NumberOrGap(elevation_);
   const std::optional<double> plane = row.NumberOrGap(plane_);
   if (elevation) {
@@ -126,7 +125,7 @@ std::optional<ArmCommand> CommandColumns::Read(const CsvRows& row, const ArmComm
     command.plane_rad =
         AngleOf(row, plane_, *plane, [&] { return PlaneRead_deg(Degrees(*plane)); });
   }
-  has_gap = !elevation || !plane;
+  bool has_gap = !elevation || !plane;
   if (axial_) {
     const std::optional<double> axial = row.NumberOrGap(*axial_);
     has_gap |= !axial;

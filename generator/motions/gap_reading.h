@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Girdle authors
 // SPDX-License-Identifier: Apache-2.0
 
-/// What becomes of rows in which an angle is missing, as where a marker was hidden.
+/// Reading rows in which an angle is missing, for example because a marker was hidden.
 #pragma once
 
 #include <array>

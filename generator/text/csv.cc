@@ -232,7 +232,7 @@ void CsvReader::ReadNames(std::span<const std::string_view> example) {
   std::unordered_set<std::string_view> earlier;
   for (std::size_t i = 0; i < columns().size(); ++i) {
     if (columns()[i].empty()) {
-      Fail("column " + std::to_string(i + 1) + " has no name");
+      Fail("column " + std::to_string(i + 1) + " has no name. Give it one, or remove the column");
     }
     if (!earlier.insert(columns()[i]).second) {
       Fail("column '" + ShortText(columns()[i]) + "' is given twice. Rename or remove one");

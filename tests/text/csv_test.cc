@@ -330,7 +330,7 @@ INSTANTIATE_TEST_SUITE_P(
         RefusedText{"comments alone", "# one\n# two\n",
                     "t.csv:3: no header line. The first line must name the columns"},
         RefusedText{"column without a name", "# one\na,,b\n1,2,3\n",
-                    "t.csv:2: column 2 has no name"},
+                    "t.csv:2: column 2 has no name. Give it one, or remove the column"},
         RefusedText{"two columns of one name", "a,b,a\n1,2,3\n",
                     "t.csv:1: column 'a' is given twice. Rename or remove one"},
         RefusedText{"field too few", "a,b\n1,2\n3\n",
