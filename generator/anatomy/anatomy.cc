@@ -13,6 +13,7 @@
 #include "text/csv.h"
 #include "text/near_names.h"
 #include "text/number_text.h"
+#include "text/shown_text.h"
 
 namespace girdle {
 namespace {
@@ -45,7 +46,7 @@ class NamedRows {
     const std::string_view key = csv_.Field(key_);
     const auto found = std::find(names_.begin(), names_.end(), key);
     if (found == names_.end()) {
-      csv_.Fail("'" + std::string(key) + "' is not known. " + DidYouMean(key, names_) +
+      csv_.Fail("'" + ShortText(key) + "' is not known. " + DidYouMean(key, names_) +
                 "Correct the name or remove the row");
     }
     const auto index = static_cast<std::size_t>(found - names_.begin());
@@ -113,8 +114,7 @@ void ReadLandmarks(std::istream& in, const std::string& name, Anatomy& anatomy) 
     const std::string_view segment = Name(kLandmarks[*row].segment);
     if (csv.Field(segment_column) != segment) {
       csv.Fail(std::string(kLandmarks[*row].name) + " is given in the frame of '" +
-               std::string(csv.Field(segment_column)) + "', expected '" + std::string(segment) +
-               "'");
+               ShortText(csv.Field(segment_column)) + "', expected '" + std::string(segment) + "'");
     }
     anatomy.landmarks_m[*row] = position.Meters();
   }

@@ -11,6 +11,7 @@
 #include "text/input_error.h"
 #include "text/near_names.h"
 #include "text/number_text.h"
+#include "text/shown_text.h"
 
 namespace girdle {
 namespace {
@@ -160,7 +161,7 @@ Landmark MeasuredLandmarks::KnownLandmark(std::string_view name) const {
     for (const LandmarkDefinition& definition : kLandmarks) {
       known += (known.empty() ? "" : " ") + std::string(definition.name);
     }
-    csv_.Fail("'" + std::string(name) + "' is not a landmark. " + DidYouMean(name, kLandmarkNames) +
+    csv_.Fail("'" + ShortText(name) + "' is not a landmark. " + DidYouMean(name, kLandmarkNames) +
               "Known are " + known +
               ", AC for PAC, and HH1 HH2 ... for points of the humeral head");
   }
@@ -178,7 +179,7 @@ void MeasuredLandmarks::TakeFrame(std::string_view name, std::optional<Landmark>
     has_rows_ = true;
   }
   if (is_lab != is_lab_) {
-    csv_.Fail(shown + " is given in the frame '" + std::string(frame) + "', the rows above " +
+    csv_.Fail(shown + " is given in the frame '" + ShortText(frame) + "', the rows above " +
               (is_lab_ ? "in the laboratory's" : "each in that of its segment") +
               ". Give all landmarks in '" + std::string(kLaboratory) +
               "', or each in the frame of its segment");
@@ -187,7 +188,7 @@ void MeasuredLandmarks::TakeFrame(std::string_view name, std::optional<Landmark>
     return;
   }
   if (!landmark) {
-    csv_.Fail(shown + " is given in the frame '" + std::string(frame) +
+    csv_.Fail(shown + " is given in the frame '" + ShortText(frame) +
               "': points of the humeral head serve where all landmarks stand in '" +
               std::string(kLaboratory) + "'. Give GH in the scapula's frame instead");
   }
@@ -196,7 +197,7 @@ void MeasuredLandmarks::TakeFrame(std::string_view name, std::optional<Landmark>
   if (frame == own || (child && frame == Name(*child))) {
     return;
   }
-  csv_.Fail(shown + " is given in the frame '" + std::string(frame) + "', expected '" +
+  csv_.Fail(shown + " is given in the frame '" + ShortText(frame) + "', expected '" +
             std::string(own) + "'" +
             (child ? " (or '" + std::string(Name(*child)) + "', whose origin it is)" : "") +
             ", or '" + std::string(kLaboratory) + "' in every row");

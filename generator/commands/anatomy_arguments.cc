@@ -14,6 +14,7 @@
 #include "fits/fitted_anatomy.h"
 #include "text/input_error.h"
 #include "text/number_text.h"
+#include "text/shown_text.h"
 #include "text/text_file.h"
 
 namespace girdle {
@@ -113,7 +114,7 @@ Anatomy ChosenAnatomy(const AnatomyArguments& arguments) {
 
 void SayHowGhWasFound(const std::string& file, const Anatomy& anatomy) {
   if (!anatomy.gh_origin.empty()) {
-    std::cerr << file << ": GH is " << anatomy.gh_origin << ".\n";
+    WritePrintable(std::cerr, file + ": GH is " + anatomy.gh_origin + ".\n");
   }
 }
 

@@ -12,6 +12,7 @@
 #include <typeinfo>
 
 #include "text/input_error.h"
+#include "text/shown_text.h"
 
 namespace girdle {
 namespace {
@@ -37,10 +38,12 @@ int ReportException(const std::exception_ptr& exception, std::ostream& out) {
   try {
     std::rethrow_exception(exception);
   } catch (const InputError& error) {
-    out << error.what() << "\n";
+    WritePrintable(out, error.what());
+    out << "\n";
     return kBadInput;
   } catch (const std::filesystem::filesystem_error& error) {
-    out << error.what() << "\n";
+    WritePrintable(out, error.what());
+    out << "\n";
     return kBadInput;
   } catch (const std::bad_alloc&) {
     out << "the memory is used up. Give less at once, end other programs, or allow more (ulimit "
@@ -49,7 +52,9 @@ int ReportException(const std::exception_ptr& exception, std::ostream& out) {
   } catch (const std::exception& error) {
     out << "this is a fault of Girdle, not of the input: ";
     PrintType(error, out);
-    out << ": " << error.what() << "\n" << kWhatToReport;
+    out << ": ";
+    WritePrintable(out, error.what());
+    out << "\n" << kWhatToReport;
   } catch (...) {
     out << "this is a fault of Girdle, not of the input: an exception of no known type\n"
         << kWhatToReport;

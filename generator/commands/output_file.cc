@@ -14,6 +14,7 @@
 
 #include "text/input_error.h"
 #include "text/number_text.h"
+#include "text/shown_text.h"
 
 namespace girdle {
 namespace {
@@ -191,7 +192,11 @@ void Print(std::string_view text) {
   standard_output.Commit();
 }
 
-void PrintNote(std::string_view line) { std::cerr << "girdle: " << line << "\n"; }
+void PrintNote(std::string_view line) {
+  std::cerr << "girdle: ";
+  WritePrintable(std::cerr, line);
+  std::cerr << "\n";
+}
 
 void NoteWritten(const std::string& path, const std::string& content) {
   if (!path.empty() && path != "-") {

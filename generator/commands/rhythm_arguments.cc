@@ -10,6 +10,7 @@
 #include "commands/word_argument.h"
 #include "text/input_error.h"
 #include "text/number_text.h"
+#include "text/shown_text.h"
 
 namespace girdle {
 namespace {
@@ -95,8 +96,8 @@ void ExpectDerivatives(const std::string& option, const RhythmArguments& argumen
 double NumberArgument(const std::string& option, const std::string& text) {
   const std::optional<double> number = FiniteNumber(text);
   if (!number) {
-    throw InputError(option + " '" + text + "': not a finite number. Give one such as " + option +
-                     " 22.5");
+    throw InputError(option + " '" + ShortText(text) + "': not a finite number. Give one such as " +
+                     option + " 22.5");
   }
   return *number;
 }

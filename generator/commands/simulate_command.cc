@@ -21,6 +21,7 @@
 #include "commands/progress.h"
 #include "commands/rhythm_arguments.h"
 #include "commands/simulation_module.h"
+#include "commands/table_arguments.h"
 #include "commands/word_argument.h"
 #include "kinematics/lengths.h"
 #include "motions/motion.h"
@@ -41,6 +42,7 @@ struct SimulateArguments {
   std::optional<std::string> in;
   std::optional<std::string> longest;
   AngleArguments angles;
+  TableArguments table;
   std::string out;
   std::string controls;
   std::string picture;
@@ -109,9 +111,12 @@ MotionRequest Requested(const SimulateArguments& arguments) {
     }
     AngleReading reading = ReadingFrom(arguments.angles);
     reading.must_have_axial = !arguments.axial_from.empty();
-    request.motion = MotionFile{*arguments.in, {reading, longest_s}};
+    request.motion = MotionFile{*arguments.in,
+                                {reading, longest_s, ChosenColumns(arguments.table, true),
+                                 ChosenGaps(arguments.table, GapRule::kRefuse)}};
     return request;
   }
+  ExpectNoTable(arguments.table);
   ExpectNoUnit(arguments.angles);
   const std::string& raise = *arguments.elevation;
   const std::size_t colon = raise.find(':');
@@ -191,6 +196,8 @@ std::string SummaryAsJson(const SimulateArguments& arguments, const SimulationSu
   json["clamped_rows"] = summary.tally.clamped;
   json["derived_rows"] = summary.tally.derived;
   json["modelled_rows"] = summary.tally.modelled;
+  json["gap_rows"] = summary.tally.gaps;
+  json["bridged_rows"] = summary.tally.bridged;
   json["worst_distance_deg"] = DegreesFromRadians(summary.tally.farthest_rad);
   json["worst_tracking_error_deg"] = summary.worst_error_deg;
   json["last_tracking_error_deg"] = summary.last_error_deg;
@@ -348,6 +355,7 @@ void AddSimulateCommand(CLI::App& program) {
         ->type_name("S");
     AddConventionArgument(*verb, arguments->angles);
     AddUnitArgument(*verb, arguments->angles);
+    AddTableArguments(*verb, arguments->table, GapRule::kRefuse);
     AddAxialFromArgument(*verb, arguments->axial_from,
                          "Zero of the column axial_deg of --in (default: the model's; isb with "
                          "--convention isb)");

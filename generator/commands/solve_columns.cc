@@ -86,7 +86,7 @@ Cell Rate(const SolvedRow& row, std::size_t k) {
 }
 
 // The columns in the order of the output. A further column is one more line here.
-constexpr std::array<OutputColumns<SolvedRow, SolveOutput>, 10> kSolveColumns = {{
+constexpr std::array<OutputColumns<SolvedRow, SolveOutput>, 11> kSolveColumns = {{
     {AngleStems, kDegrees,
      [](const SolvedRow& row, std::size_t k) -> Cell {
        return DegreesFromRadians(row.angles_rad[k]);
@@ -107,6 +107,10 @@ constexpr std::array<OutputColumns<SolvedRow, SolveOutput>, 10> kSolveColumns = 
      }},
     {[](const SolveOutput&) { return Stems{std::string(kOriginStem)}; }, kNoUnit,
      [](const SolvedRow& row, std::size_t) -> Cell { return Name(row.origin); }},
+    {[](const SolveOutput& output) {
+       return output.has_bridged ? Stems{std::string(kBridgedStem)} : Stems{};
+     },
+     kNoUnit, [](const SolvedRow& row, std::size_t) -> Cell { return row.bridged ? 1.0 : 0.0; }},
     {[](const SolveOutput&) {
        return Stems{kUsedAxialNames.begin(), kUsedAxialNames.end()};
      },
@@ -167,8 +171,9 @@ WrittenAngles WithScapulothoracic(const JointAngles& joints_rad, const Quaternio
   return angles_rad;
 }
 
-WrittenColumns<SolvedRow, RoundedNumbers> SolveColumns(const SolveOutput& output) {
-  return {kSolveColumns, output, {output.digits}};
+WrittenColumns<SolvedRow, RoundedNumbers> SolveColumns(const SolveOutput& output,
+                                                       const CsvDialect& dialect) {
+  return {kSolveColumns, output, {output.digits, dialect.decimal_mark}, dialect.separator};
 }
 
 }  // namespace girdle

@@ -16,7 +16,7 @@
 #include "commands/shoulder_points.h"
 #include "kinematics/assembly.h"
 #include "kinematics/shoulder_rhythm.h"
-#include "text/number_text.h"
+#include "text/csv_dialect.h"
 #include "text/output_columns.h"
 
 namespace girdle {
@@ -27,6 +27,8 @@ inline constexpr std::string_view kUsedElevationStem = "used_elevation";
 inline constexpr std::string_view kUsedPlaneStem = "used_plane";
 inline constexpr std::string_view kDistanceStem = "distance";
 inline constexpr std::string_view kOriginStem = "origin";
+/// Stem of the column that tells bridged rows.
+inline constexpr std::string_view kBridgedStem = "bridged";
 
 /// How rotations are written.
 enum class RotationForm {
@@ -50,6 +52,8 @@ struct SolveOutput {
   bool derivatives = false;
   /// The anatomy whose ShoulderPoints are written. No points are written if empty.
   std::optional<Anatomy> points_of = std::nullopt;
+  /// Whether a column tells which rows are bridged.
+  bool has_bridged = false;
   /// Decimals of numbers in tables, 0 to kMostDigits.
   int digits = kDefaultDigits;
 };
@@ -94,6 +98,7 @@ struct SolvedRow {
   double used_axial_isb_rad;           ///< ISB's third angle
   std::optional<ShoulderRates> rates;  ///< if derivatives are chosen
   std::vector<ShoulderPoint> points;   ///< if points are chosen
+  bool bridged = false;                ///< whether the row bridges a gap
 };
 
 /// Returns the columns in this order:
@@ -101,6 +106,7 @@ struct SolvedRow {
 /// The angles, `sc_protraction_deg` and so on, or as quaternions `sc_qw` and so on, with
 /// `_since_hanging` behind the stem where they are counted from the hanging arm; `clamped`, the
 /// direction that is answered, `used_elevation_deg` and `used_plane_deg`; `distance_deg`, `origin`;
+/// `bridged` where gaps are bridged;
 /// `used_axial_deg`, the humerus's turn on top of the rhythm's own, and `used_axial_isb_deg`, ISB's
 /// third angle; the offsets of the clavicle that were left, `used_shrug_deg` and
 /// `used_protraction_deg`.
@@ -110,6 +116,9 @@ struct SolvedRow {
 /// axes [deg per deg].
 ///
 /// With points, each has three columns, `elbow_x_mm` and so on, in the thorax frame.
-[[nodiscard]] WrittenColumns<SolvedRow, RoundedNumbers> SolveColumns(const SolveOutput& output);
+///
+/// Separators and decimal marks are those of `dialect`.
+[[nodiscard]] WrittenColumns<SolvedRow, RoundedNumbers> SolveColumns(
+    const SolveOutput& output, const CsvDialect& dialect = {});
 
 }  // namespace girdle

@@ -29,6 +29,7 @@
 #include "commands/solve_answer.h"
 #include "commands/solve_columns.h"
 #include "commands/solve_rows.h"
+#include "commands/table_arguments.h"
 #include "commands/word_argument.h"
 #include "motions/command_columns.h"
 #include "names/model_names.h"
@@ -52,6 +53,7 @@ struct SolveArguments {
   std::optional<std::string> axial_deg;
   std::string axial_from;
   AngleArguments angles;
+  TableArguments table;
   std::optional<std::string> shrug_deg;
   std::optional<std::string> protraction_deg;
   std::optional<std::string> posture;
@@ -256,6 +258,9 @@ RowOptions ChosenRowOptions(const SolveArguments& arguments, const ShoulderRhyth
     options.axial_deg = AxialArgument_deg("--axial", *arguments.axial_deg);
   }
   options.reading = ChosenReading(arguments);
+  options.columns = ChosenColumns(arguments.table, false);
+  options.gaps = ChosenGaps(arguments.table, GapRule::kKeep);
+  options.output.has_bridged = options.gaps.bridged_rows > 0;
   return options;
 }
 
@@ -301,6 +306,9 @@ void Solve(const SolveArguments& arguments) {
                                                 {"--table", TableFile(arguments.rhythm.table)},
                                                 {"--anatomy", arguments.anatomy.file},
                                                 {"--ellipsoids", arguments.anatomy.ellipsoids}});
+  if (arguments.in.empty()) {
+    ExpectNoTable(arguments.table);
+  }
   if (arguments.posture) {
     SolvePosture(arguments);
     return;
@@ -340,7 +348,7 @@ void Solve(const SolveArguments& arguments) {
   }
   std::error_code unknown_size;
   if (std::filesystem::is_regular_file(arguments.in, unknown_size)) {
-    ExpectKnownUnit(arguments.in, ChosenReading(arguments));
+    ExpectKnownUnit(arguments.in, ChosenReading(arguments), ChosenColumns(arguments.table, false));
   }
   std::ifstream in = OpenTextFile(arguments.in);
   const std::uintmax_t bytes = std::filesystem::file_size(arguments.in, unknown_size);
@@ -384,6 +392,7 @@ void AddSolveCommand(CLI::App& program) {
                          "--convention isb)");
     AddConventionArgument(*verb, arguments->angles);
     AddUnitArgument(*verb, arguments->angles);
+    AddTableArguments(*verb, arguments->table, GapRule::kKeep);
   }
   {
     const OptionGroup group(*verb, "The answer");

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <system_error>
 #include <thread>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -22,10 +23,14 @@
 #include "kinematics/solve_many.h"
 #include "motions/angle_span.h"
 #include "motions/arm_angles.h"
+#include "motions/arm_path.h"
 #include "motions/command_columns.h"
 #include "motions/command_tally.h"
 #include "text/csv.h"
+#include "text/csv_dialect.h"
+#include "text/input_error.h"
 #include "text/number_text.h"
+#include "text/shown_text.h"
 #include "text/text_file.h"
 
 namespace girdle {
@@ -39,6 +44,9 @@ struct ColumnOption {
   std::optional<double> RowOptions::*angle_deg;
 };
 
+// Names for the message about a missing header.
+constexpr std::array<std::string_view, 2> kExamplePose = {kElevationColumn, kPlaneColumn};
+
 constexpr std::array<ColumnOption, 3> kColumnOptions = {{
     {kAxialColumn, "--axial", &ArmCommand::axial_rad, &RowOptions::axial_deg},
     {kShrugColumn, "--shrug", &ArmCommand::shrug_rad, &RowOptions::shrug_deg},
@@ -46,15 +54,26 @@ constexpr std::array<ColumnOption, 3> kColumnOptions = {{
      &RowOptions::protraction_deg},
 }};
 
+// Where the command of a row is from.
+enum class CommandSource : unsigned char { kInput, kBridge, kNone };
+
 // Rows that are solved together. `lines` are the input rows that begin the output rows.
 struct Rows {
   std::vector<std::string_view> lines;
   std::vector<ArmCommand> commands;
+  std::vector<CommandSource> sources;
   AngleSpan span;  // of the numbers, if the user did not give the unit
+
+  void Add(std::string_view line, const ArmCommand& command, CommandSource source) {
+    lines.push_back(line);
+    commands.push_back(command);
+    sources.push_back(source);
+  }
 
   void Clear() noexcept {
     lines.clear();
     commands.clear();
+    sources.clear();
     span = {};
   }
 };
@@ -81,22 +100,15 @@ std::optional<AxialFrom> AxialFromOfAll(const RowOptions& options) noexcept {
 // Writes the columns that follow each row. Immutable, because threads share it.
 class RowAnswers {
  public:
-  // `rhythm` and `options` must outlive it.
-  RowAnswers(const ShoulderRhythm& rhythm, const RowOptions& options)
-      : rhythm_(rhythm), output_(options.output), columns_(SolveColumns(output_)) {}
-
-  // Throws InputError at the header if a column would be twice in the output.
-  void ExpectNoneIn(const CsvReader& csv) const {
-    for (const std::string& name : columns_.names()) {
-      if (csv.HasColumn(name)) {
-        csv.Fail("column '" + name +
-                 "' would be there twice in the output. Rename it in the input");
-      }
-    }
-  }
+  // `rhythm` and `options` must outlive it. `dialect` is that of the rows.
+  RowAnswers(const ShoulderRhythm& rhythm, const RowOptions& options, const CsvDialect& dialect)
+      : rhythm_(rhythm),
+        output_(options.output),
+        separator_(dialect.separator),
+        columns_(SolveColumns(output_, dialect)) {}
 
   // Returns the header of the added columns, to follow the input's header, with a line end.
-  [[nodiscard]] std::string HeaderText() const { return "," + columns_.Header() + "\n"; }
+  [[nodiscard]] std::string HeaderText() const { return separator_ + columns_.Header() + "\n"; }
 
   // Results for rows. Each thread keeps one, so that memory is allocated once.
   struct Solved {
@@ -126,6 +138,15 @@ class RowAnswers {
               {solved.poses, solved.angles_rad, solved.used, solved.origins, solved.distances_rad});
     CommandTally tally;
     for (std::size_t i = 0; i < count; ++i) {
+      if (rows.sources[i] == CommandSource::kNone) {
+        text += rows.lines[i];
+        text.append(columns_.names().size(), separator_);
+        text += '\n';
+        ++tally.rows;
+        ++tally.gaps;
+        continue;
+      }
+      tally.bridged += rows.sources[i] == CommandSource::kBridge ? 1 : 0;
       tally.Add(rhythm_, rows.commands[i], solved.used[i], solved.origins[i],
                 solved.distances_rad[i]);
       SolvedRow row{{},
@@ -136,7 +157,8 @@ class RowAnswers {
                     solved.origins[i],
                     rhythm_.AxialOf(AxialFrom::kIsb, solved.poses[i], solved.used[i]),
                     std::nullopt,
-                    {}};
+                    {},
+                    rows.sources[i] == CommandSource::kBridge};
       AddRotations(row, solved.poses[i], solved.angles_rad[i]);
       if (output_.derivatives) {
         row.rates = rhythm_.SolveRates(rows.commands[i]);
@@ -145,7 +167,7 @@ class RowAnswers {
         row.points = ShoulderPoints(*output_.points_of, solved.poses[i]);
       }
       text += rows.lines[i];
-      text += ',';
+      text += separator_;
       columns_.Append(text, row);
       text += '\n';
     }
@@ -166,25 +188,53 @@ class RowAnswers {
 
   const ShoulderRhythm& rhythm_;
   const SolveOutput& output_;
+  char separator_;
   WrittenColumns<SolvedRow, RoundedNumbers> columns_;
 };
 
-// Rows of a CSV. One thread at a time takes a block; all threads read their blocks at once.
+// Throws InputError at the header if a column would be twice in the output.
+void ExpectNoAnswersIn(const CsvReader& csv, const SolveOutput& output) {
+  const std::unordered_set<std::string_view> given(csv.columns().begin(), csv.columns().end());
+  const auto columns = SolveColumns(output);
+  for (const std::string& name : columns.names()) {
+    if (given.contains(name)) {
+      csv.Fail("column '" + name + "' would be there twice in the output. Rename it in the input");
+    }
+  }
+}
+
+// Rows of a CSV. One thread at a time takes a block; all threads read their blocks at once. If gaps
+// are bridged, the thread that takes a block reads it, too, because a gap may begin in another
+// block. Most of the time is spent on solving in either case.
 class CsvInput {
  public:
-  using Block = CsvBlock;
+  // A row of a block that is read when the block is taken.
+  struct ReadRow {
+    std::size_t begin;  // in the block's text
+    std::size_t size;
+    ArmCommand command;
+    CommandSource source;
+  };
+  struct Block {
+    CsvBlock csv;
+    std::vector<ReadRow> rows;  // if gaps are bridged
+    AngleSpan span;             // of `rows`
+  };
 
   // Throws InputError at the header if a column is missing, or if it is given beside the option
   // that replaces it. The reader must outlive it.
   CsvInput(CsvReader& csv, std::uintmax_t bytes, const RowOptions& options)
       : csv_(csv),
         bytes_(bytes),
+        gaps_(options.gaps),
         unless_given_(CommandOf(options)),
         axial_from_of_all_(AxialFromOfAll(options)),
-        columns_(csv, options.reading) {
+        columns_(csv, options.reading, options.columns),
+        bridged_row_(csv.header()) {
     for (const ColumnOption& option : kColumnOptions) {
-      if (csv.HasColumn(option.column) && options.*option.angle_deg) {
-        csv.Fail("the column " + std::string(option.column) + " and " + option.option +
+      const std::optional<std::size_t> column = columns_.names().Find(option.column);
+      if (column && options.*option.angle_deg) {
+        csv.Fail("the column " + ShortText(csv.columns()[*column]) + " and " + option.option +
                  " exclude each other. Remove one");
       }
     }
@@ -192,18 +242,26 @@ class CsvInput {
 
   // Name in messages.
   [[nodiscard]] const std::string& name() const noexcept { return csv_.name(); }
-  [[nodiscard]] const std::string& header_line() const noexcept { return csv_.header_line(); }
+  // The header as it stands, behind the line that names the separator if there is one.
+  [[nodiscard]] std::string header_line() const {
+    const std::string& separator_line = csv_.header().dialect.separator_line;
+    return separator_line.empty() ? csv_.header_line() : separator_line + "\n" + csv_.header_line();
+  }
   // The zero that axial turns count from; nothing if there are none.
   [[nodiscard]] std::optional<AxialFrom> axial_from() const noexcept {
     return axial_from_of_all_ ? axial_from_of_all_ : columns_.axial_from();
   }
+  // Names that are read as known columns; empty if there are none.
+  [[nodiscard]] std::string NamesNote() const { return columns_.names().Note(); }
   // Total of SizeOf over all blocks; 0 if not known.
-  [[nodiscard]] std::uintmax_t size() const noexcept { return bytes_; }
+  [[nodiscard]] std::uintmax_t size() const noexcept { return bytes_ / csv_.bytes_per_unit(); }
   [[nodiscard]] static std::uintmax_t SizeOf(const Block& block) noexcept {
-    return block.text.size();
+    return block.csv.text.size();
   }
   [[nodiscard]] bool HasRowsAtHand() { return csv_.HasLinesAtHand(); }
-  [[nodiscard]] bool Take(Block& block) { return csv_.TakeBlock(block); }
+  [[nodiscard]] bool Take(Block& block) {
+    return gaps_.bridged_rows > 0 ? TakeBridged(block) : csv_.TakeBlock(block.csv);
+  }
 
   // Reads the rows of one block after the other, in one thread. The rows refer to the block.
   class Reader {
@@ -211,10 +269,23 @@ class CsvInput {
     explicit Reader(const CsvInput& input) : input_(input), row_(input.csv_.header()) {}
 
     void Read(const Block& block, Rows& rows) {
-      row_.Start(block);
+      if (input_.gaps_.bridged_rows > 0) {
+        for (const ReadRow& row : block.rows) {
+          rows.Add(std::string_view(block.csv.text).substr(row.begin, row.size), row.command,
+                   row.source);
+        }
+        rows.span = block.span;
+        return;
+      }
+      row_.Start(block.csv);
       while (row_.Next()) {
-        rows.commands.push_back(input_.columns_.Read(row_, input_.unless_given_, rows.span));
-        rows.lines.push_back(row_.line());
+        const std::optional<ArmCommand> command =
+            input_.columns_.Read(row_, input_.unless_given_, rows.span);
+        if (!command && input_.gaps_.rule == GapRule::kRefuse) {
+          row_.Fail(input_.columns_.GapText(row_) + ". " + kGapMend);
+        }
+        rows.Add(row_.line(), command.value_or(input_.unless_given_),
+                 command ? CommandSource::kInput : CommandSource::kNone);
       }
     }
 
@@ -224,11 +295,87 @@ class CsvInput {
   };
 
  private:
+  static constexpr const char* kGapMend = "Fill it, or give --bridge-gaps ROWS or --gaps keep";
+
+  // Takes the next rows and bridges the gaps in them. Rows of a gap that may end in the next block
+  // are held back.
+  [[nodiscard]] bool TakeBridged(Block& block) {
+    CsvBlock next;
+    const bool has_more = csv_.TakeBlock(next);
+    if (!has_more && held_.text.empty()) {
+      return false;
+    }
+    block.csv.first_line_number =
+        held_.text.empty() ? next.first_line_number : held_.first_line_number;
+    block.csv.text = std::exchange(held_.text, {}) + next.text;
+    block.rows.clear();
+    block.span = {};
+    bridged_row_.Start(block.csv);
+    while (bridged_row_.Next()) {
+      const std::string_view line = bridged_row_.line();
+      const std::optional<ArmCommand> command =
+          columns_.Read(bridged_row_, unless_given_, block.span);
+      block.rows.push_back({static_cast<std::size_t>(line.data() - block.csv.text.data()),
+                            line.size(), command.value_or(unless_given_),
+                            command ? CommandSource::kInput : CommandSource::kNone});
+    }
+    BridgeGaps(block, has_more);
+    return true;
+  }
+
+  void BridgeGaps(Block& block, bool has_more) {
+    std::vector<ReadRow>& rows = block.rows;
+    for (std::size_t i = 0; i < rows.size();) {
+      if (rows[i].source == CommandSource::kInput) {
+        before_ = rows[i++].command;
+        continue;
+      }
+      std::size_t end = i;
+      while (end < rows.size() && rows[end].source == CommandSource::kNone) {
+        ++end;
+      }
+      const bool is_short = before_ && end - i <= gaps_.bridged_rows;
+      if (is_short && end == rows.size() && has_more) {
+        held_.text = block.csv.text.substr(rows[i].begin);
+        held_.first_line_number = block.csv.first_line_number + i;
+        block.csv.text.resize(rows[i].begin);
+        rows.resize(i);
+        return;
+      }
+      if (is_short && end < rows.size()) {
+        Bridge(rows, i, end);
+      } else if (gaps_.rule == GapRule::kRefuse) {
+        throw InputError(name(), block.csv.first_line_number + i,
+                         "a gap that --bridge-gaps " + std::to_string(gaps_.bridged_rows) +
+                             " does not bridge: it is longer, or at an end of the file. Fill it, "
+                             "or give more rows or --gaps keep");
+      } else if (end == rows.size()) {
+        before_.reset();  // the gap is too long, whatever follows
+      }
+      i = end;
+    }
+  }
+
+  // Gives commands to the rows of a gap, [begin, end).
+  void Bridge(std::vector<ReadRow>& rows, std::size_t begin, std::size_t end) const {
+    std::vector<ArmCommand> commands(end - begin);
+    BridgeCommands(*before_, rows[end].command, commands);
+    for (std::size_t i = begin; i < end; ++i) {
+      rows[i].command = commands[i - begin];
+      rows[i].source = CommandSource::kBridge;
+    }
+  }
+
   CsvReader& csv_;
   std::uintmax_t bytes_;
+  GapReading gaps_;
   ArmCommand unless_given_;
   std::optional<AxialFrom> axial_from_of_all_;
   CommandColumns columns_;
+  CsvRows bridged_row_;  // of the block that is taken, if gaps are bridged
+  CsvBlock held_;        // rows of a gap at the end of the block before
+  // The command of the row before a gap; nothing if there is none near enough.
+  std::optional<ArmCommand> before_;
 };
 
 // All positions of a sweep, those of the first plane first.
@@ -260,6 +407,7 @@ class SweepInput {
   }
 
   [[nodiscard]] static std::string name() { return "--elevation, --plane"; }
+  [[nodiscard]] static std::string NamesNote() { return {}; }
   [[nodiscard]] const std::string& header_line() const noexcept { return header_line_; }
   [[nodiscard]] std::optional<AxialFrom> axial_from() const noexcept { return axial_from_; }
   [[nodiscard]] std::uintmax_t size() const noexcept {
@@ -281,12 +429,13 @@ class SweepInput {
       const std::size_t elevations = input_.elevations_rad_.size();
       text_.clear();
       ends_.clear();
+      commands_.clear();
       for (std::size_t i = block.first; i < block.first + block.count; ++i) {
         const double plane_deg = input_.sweep_.planes_deg[i / elevations];
         ArmCommand command = input_.unless_given_;
         command.elevation_rad = input_.elevations_rad_[i % elevations];
         command.plane_rad = RadiansFromDegrees(PlaneRead_deg(plane_deg));
-        rows.commands.push_back(command);
+        commands_.push_back(command);
         AppendNumber(text_, input_.sweep_.elevations_deg[i % elevations]);
         text_ += ',';
         AppendNumber(text_, plane_deg);
@@ -294,16 +443,18 @@ class SweepInput {
         ends_.push_back(text_.size());
       }
       std::size_t start = 0;
-      for (const std::size_t end : ends_) {
-        rows.lines.push_back(std::string_view(text_).substr(start, end - start));
-        start = end;
+      for (std::size_t i = 0; i < ends_.size(); ++i) {
+        rows.Add(std::string_view(text_).substr(start, ends_[i] - start), commands_[i],
+                 CommandSource::kInput);
+        start = ends_[i];
       }
     }
 
    private:
     const SweepInput& input_;
     std::string text_;
-    std::vector<std::size_t> ends_;
+    std::vector<std::size_t> ends_;  // of rows in text_
+    std::vector<ArmCommand> commands_;
   };
 
  private:
@@ -473,6 +624,9 @@ void SolveInput(Input& input, const RowAnswers& answers, const std::string& out,
   const CommandTally tally = RowWorkers(input, answers, file, progress).Run(threads);
   file.Commit();
   progress.Clear();
+  if (const std::string note = input.NamesNote(); !note.empty()) {
+    PrintNote(input.name() + ": " + note);
+  }
   const std::string content = TallyText(
       tally,
       {.range = answers.range(), .axial_from = input.axial_from(), .hanging = answers.hanging()});
@@ -487,20 +641,21 @@ void SolveInput(Input& input, const RowAnswers& answers, const std::string& out,
 
 void SolveRows(const RowSource& source, const std::string& out, const ShoulderRhythm& rhythm,
                const RowOptions& options) {
-  CsvReader csv(source.in, source.name);
+  CsvReader csv(source.in, source.name, kExamplePose);
   CsvInput input(csv, source.bytes, options);
-  const RowAnswers answers(rhythm, options);
-  answers.ExpectNoneIn(csv);
-  SolveInput(input, answers, out, options.threads);
+  ExpectNoAnswersIn(csv, options.output);
+  csv.FindDecimalMark();
+  SolveInput(input, RowAnswers(rhythm, options, csv.header().dialect), out, options.threads);
 }
 
-void ExpectKnownUnit(const std::string& path, const AngleReading& reading) {
+void ExpectKnownUnit(const std::string& path, const AngleReading& reading,
+                     const std::vector<NamedColumn>& names) {
   if (reading.unit) {
     return;
   }
   std::ifstream in = OpenTextFile(path);
-  CsvReader csv(in, path);
-  const CommandColumns columns(csv, reading);
+  CsvReader csv(in, path, kExamplePose);
+  const CommandColumns columns(csv, reading, names);
   AngleSpan span;
   while (span.IsWithinRadians() && csv.Next()) {
     static_cast<void>(columns.Read(csv.row(), {}, span));
@@ -511,7 +666,7 @@ void ExpectKnownUnit(const std::string& path, const AngleReading& reading) {
 void SolveSweep(const SweptPositions& sweep, const std::string& out, const ShoulderRhythm& rhythm,
                 const RowOptions& options) {
   SweepInput input(sweep, options);
-  SolveInput(input, RowAnswers(rhythm, options), out, options.threads);
+  SolveInput(input, RowAnswers(rhythm, options, {}), out, options.threads);
 }
 
 }  // namespace girdle

@@ -14,6 +14,8 @@
 #include "commands/solve_columns.h"
 #include "kinematics/shoulder_rhythm.h"
 #include "motions/arm_angles.h"
+#include "motions/column_names.h"
+#include "motions/gap_reading.h"
 
 namespace girdle {
 
@@ -36,6 +38,8 @@ struct SweptPositions {
 /// Options that apply to all rows.
 struct RowOptions {
   AngleReading reading;
+  std::vector<NamedColumn> columns;  ///< names of `--columns`
+  GapReading gaps;
   /// Values for all rows. The input must not have columns for those that are given.
   std::optional<double> axial_deg;
   std::optional<double> shrug_deg;
@@ -49,6 +53,9 @@ struct RowOptions {
 /// grow with the number of rows. Before it waits for more input, it writes the answers to all rows
 /// that came, to standard output too.
 ///
+/// Rows with gaps have empty fields in place of SolveColumns, unless they are bridged as evenly
+/// spaced rows. A bridged row waits for the row that ends its gap.
+///
 /// Throws InputError, with file and line, at the first row that cannot be solved. An output file
 /// then is as it was before; standard output has whole rows, all from before that row. A stream
 /// that looks like radians (AngleSpan) is recognised only at its end; check a file with
@@ -58,7 +65,8 @@ void SolveRows(const RowSource& source, const std::string& out, const ShoulderRh
 
 /// Throws InputError if the rows of a file look like radians and the options do not give the unit.
 /// Stops reading at the first row that does not look like radians.
-void ExpectKnownUnit(const std::string& path, const AngleReading& reading);
+void ExpectKnownUnit(const std::string& path, const AngleReading& reading,
+                     const std::vector<NamedColumn>& columns);
 
 /// Writes what SolveRows would write for a CSV with a row for each position. The columns are
 /// elevation and plane as typed, and those of axial turn and offsets that the options give.

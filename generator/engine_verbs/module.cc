@@ -256,8 +256,10 @@ SimulationSummary Simulate(const std::string& model_path, const std::string& plu
   }
   summary.range = *simulation.rhythm().rhythm().options().range;
   summary.axial_from = asked.axial_from;
-  if (!asked.hint.empty()) {
-    sinks.hint(asked.hint);
+  summary.tally.gaps = asked.gaps;
+  summary.tally.bridged = asked.bridged;
+  for (const std::string& note : asked.notes) {
+    sinks.note(note);
   }
   std::string row;
   for (long step = 0; step <= steps; ++step) {

@@ -55,7 +55,8 @@ struct LoopGap {
 
 struct SimulationSummary {
   /// Counts of the simulated states, which are the rows of the trace. A state is clamped if its
-  /// command lay outside the range of the rhythm or of the controls.
+  /// command lay outside the range of the rhythm or of the controls. Gaps and bridged rows are
+  /// those of the motion's file.
   CommandTally tally;
   Range range = Range::kWhole;  ///< range of the rhythm
   /// The zero that axial turns of the file of the motion count from; nothing if it has none.
@@ -75,7 +76,7 @@ struct SimulationSinks {
   std::function<void(std::uintmax_t trace, std::uintmax_t controls)> sizes;
   TextSink trace;
   TextSink controls;  ///< null for none
-  TextSink hint;  ///< a line about the motion, without its line end; comes before the simulation
+  TextSink note;  ///< lines about the motion, without line ends; they come before the simulation
 };
 
 /// A pose given by the name of a keyframe of the model.

@@ -172,4 +172,12 @@ ArmCommand ArmPath::At(double time_s) const noexcept {
   return command;
 }
 
+void BridgeCommands(const ArmCommand& before, const ArmCommand& after,
+                    std::span<ArmCommand> between) {
+  const ArmPath path({{0, before}, {static_cast<double>(between.size() + 1), after}});
+  for (std::size_t i = 0; i < between.size(); ++i) {
+    between[i] = path.At(static_cast<double>(i + 1));
+  }
+}
+
 }  // namespace girdle

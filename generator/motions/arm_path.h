@@ -19,6 +19,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "kinematics/shoulder_rhythm.h"
@@ -68,6 +69,10 @@ class ArmPath {
   std::vector<Stretch>
       stretches_;  ///< at least one; an axial turn from ISB's zero is stored as the whole turn
 };
+
+/// Fills `between` with commands at even steps of the path from `before` to `after`.
+void BridgeCommands(const ArmCommand& before, const ArmCommand& after,
+                    std::span<ArmCommand> between);
 
 /// Returns the number at a share of the straight line from one number to another.
 [[nodiscard]] double Between(double from, double to, double share) noexcept;

@@ -34,6 +34,9 @@ constexpr std::array<std::string_view, 2> kAlone = {"ir", "er"};
 // into ankle.
 constexpr std::size_t kShortestToSlipBeside = 6;
 
+// Letters of the longest name that is looked at. Longer ones say more than the axial turn.
+constexpr std::size_t kLongestStem = 128;
+
 // Whether letters are a word, or the word with a slip after its first letter. Extra letters at the
 // end may be a second word: x in `rotation_x` is no slip.
 bool IsWord(std::string_view letters, std::string_view word, std::size_t shortest_to_slip) {
@@ -52,6 +55,9 @@ bool MeansAxialTurn(std::string_view column) {
   if (std::find(kAlone.begin(), kAlone.end(), stem) != kAlone.end()) {
     return true;
   }
+  if (stem.size() > kLongestStem) {
+    return false;
+  }
   // Whether the letters before each place consist of known words, without and with a turn.
   struct Before {
     bool words = false;
@@ -61,6 +67,9 @@ bool MeansAxialTurn(std::string_view column) {
   before[0].words = true;
   for (std::size_t place = 0; place < stem.size(); ++place) {
     const Before here = before[place];
+    if (!here.words) {
+      continue;
+    }
     const auto take = [&](std::string_view word, bool is_turn) {
       for (const std::size_t size : {word.size() - 1, word.size(), word.size() + 1}) {
         if (place + size <= stem.size() &&

@@ -13,7 +13,7 @@ namespace girdle {
 /// name must consist of words for that turn only, with or without a unit at the end. Capital
 /// letters, characters between words and a slip in a longer word (`rotaton`) do not matter. A name
 /// for the turn of something else does not count: `gh_axial_deg`, `ac_internal_rotation_deg`,
-/// `used_axial_deg`, `trunk_rotation_deg`.
+/// `used_axial_deg`, `trunk_rotation_deg`; nor does a name of more than 128 letters.
 [[nodiscard]] bool MeansAxialTurn(std::string_view column);
 
 }  // namespace girdle

@@ -44,6 +44,8 @@ void CommandTally::Add(const CommandTally& other) noexcept {
   beyond += other.beyond;
   derived += other.derived;
   modelled += other.modelled;
+  gaps += other.gaps;
+  bridged += other.bridged;
   farthest_rad = WorseOf(farthest_rad, other.farthest_rad);
 }
 
@@ -62,6 +64,12 @@ std::string TallyText(const CommandTally& tally, const TallySubject& subject) {
   if (tally.modelled > 0) {
     text += " (up to " + RoundedText(DegreesFromRadians(tally.farthest_rad), kDecimals) +
             " deg from measured directions)";
+  }
+  if (tally.gaps > 0) {
+    text += ", " + CountText(tally.gaps, "gap");
+  }
+  if (tally.bridged > 0) {
+    text += ", " + std::to_string(tally.bridged) + " bridged";
   }
   if (subject.axial_from) {
     text += ", axial from " + std::string(Name(*subject.axial_from));

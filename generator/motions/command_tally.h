@@ -20,6 +20,8 @@ struct CommandTally {
   std::size_t derived = 0;   ///< answered by Origin::kDerived
   std::size_t modelled = 0;  ///< answered by Origin::kModelled
   double farthest_rad = 0;   ///< largest distance of a command from measured directions
+  std::size_t gaps = 0;      ///< rows with a missing angle, without an answer
+  std::size_t bridged = 0;   ///< rows with a missing angle, answered as on the way past them
 
   /// Adds a command and the values that ShoulderSolution has for its answer.
   void Add(const ShoulderRhythm& rhythm, const ArmCommand& command, const ArmCommand& used,
@@ -41,10 +43,10 @@ struct TallySubject {
 /// Returns one line without its line break:
 ///
 ///     6 rows, 1 clamped (1 beyond what an arm reaches; see the columns used_*), 1 derived, 2
-///     modelled (up to 37.2 deg from measured directions), axial from isb, relative to hanging
-///     (modelled)
+///     modelled (up to 37.2 deg from measured directions), 2 gaps, 3 bridged, axial from isb,
+///     relative to hanging (modelled)
 ///
-/// Derived rows are left out if there are none.
+/// Derived rows, gaps and bridged rows are left out if there are none.
 [[nodiscard]] std::string TallyText(const CommandTally& tally, const TallySubject& subject);
 
 }  // namespace girdle

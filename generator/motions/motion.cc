@@ -4,8 +4,10 @@
 #include "motions/motion.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <optional>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -13,6 +15,7 @@
 #include "motions/arm_path.h"
 #include "motions/command_columns.h"
 #include "text/csv.h"
+#include "text/input_error.h"
 #include "text/number_text.h"
 
 namespace girdle {
@@ -31,21 +34,21 @@ ArmCommand StraightBetween(const ArmCommand& a, const ArmCommand& b, double shar
 // The times of successive rows.
 class RowTimes {
  public:
-  RowTimes(const CsvReader& csv, double longest_s)
-      : csv_(csv), column_(csv.Column(kTimeColumn)), longest_s_(longest_s) {}
+  RowTimes(const CsvReader& csv, std::size_t column, double longest_s)
+      : csv_(csv), column_(column), longest_s_(longest_s) {}
 
   // Returns the time of the current row, counted from the first row.
   double Next() {
     const double stamp_s = csv_.Number(column_);
     if (previous_s_ && stamp_s <= *previous_s_) {
-      csv_.Fail("time_s is " + NumberText(stamp_s) + ", which does not increase (previous " +
-                NumberText(*previous_s_) + ")");
+      csv_.Fail(csv_.columns()[column_] + " is " + NumberText(stamp_s) +
+                ", which does not increase (previous " + NumberText(*previous_s_) + ")");
     }
     first_s_ = previous_s_ ? first_s_ : stamp_s;
     previous_s_ = stamp_s;
     const double time_s = stamp_s - first_s_;
     if (time_s > longest_s_) {
-      csv_.Fail("time_s is " + NumberText(stamp_s) + ", " + NumberText(time_s) +
+      csv_.Fail(csv_.columns()[column_] + " is " + NumberText(stamp_s) + ", " + NumberText(time_s) +
                 " s after the first row, expected at most " + NumberText(longest_s_) +
                 ". Check that it is in seconds; for a longer motion give --longest SECONDS");
     }
@@ -58,6 +61,47 @@ class RowTimes {
   double longest_s_;
   double first_s_ = 0;
   std::optional<double> previous_s_;
+};
+
+// The gap that the rows of a motion are in, if they are in one.
+class OpenGap {
+ public:
+  OpenGap(const CsvReader& csv, const CommandColumns& columns, const GapReading& reading)
+      : csv_(csv), columns_(columns), reading_(reading) {}
+
+  // Adds the current row, which has a gap.
+  void Add() {
+    if (rows_ == 0) {
+      first_line_number_ = csv_.line_number();
+      text_ = columns_.GapText(csv_.row());
+    }
+    ++rows_;
+  }
+
+  // Ends the gap. Throws InputError at its first row if it is neither bridged nor kept.
+  void Close(bool is_between) {
+    const bool is_bridged = is_between && rows_ <= reading_.bridged_rows;
+    if (rows_ > 0 && !is_bridged && reading_.rule == GapRule::kRefuse) {
+      throw InputError(
+          csv_.name(), first_line_number_,
+          text_ + " of " + CountText(rows_, "row") + ". " + GapMend(rows_, is_between));
+    }
+    (is_bridged ? bridged_ : left_) += rows_;
+    rows_ = 0;
+  }
+
+  [[nodiscard]] std::size_t left() const noexcept { return left_; }
+  [[nodiscard]] std::size_t bridged() const noexcept { return bridged_; }
+
+ private:
+  const CsvReader& csv_;
+  const CommandColumns& columns_;
+  GapReading reading_;
+  std::size_t first_line_number_ = 0;
+  std::string text_;  // about the first row
+  std::size_t rows_ = 0;
+  std::size_t left_ = 0;
+  std::size_t bridged_ = 0;
 };
 
 // Rows of a recording are closer than this [s]. Rows of a motion made by hand are farther apart.
@@ -77,17 +121,17 @@ double MedianStep_s(const std::vector<TimedCommand>& rows) {
 
 // Returns a hint at unlikely times: if a recording of some seconds has times in milliseconds, it is
 // still within the longest motion.
-std::string HintAbout(const std::string& file, const std::vector<TimedCommand>& rows) {
+std::string HintAbout(const std::vector<TimedCommand>& rows) {
   if (rows.size() <= kFewRows) {
     return "";
   }
   constexpr int kDecimals = 3;
   const double step_s = MedianStep_s(rows);
-  return step_s < kFarRows_s ? ""
-                             : file + ": its " + CountText(rows.size(), "row") + " are " +
-                                   RoundedText(step_s, kDecimals) + " s apart (median), " +
-                                   RoundedText(rows.back().time_s, kDecimals) +
-                                   " s in all. If time_s is in milliseconds, divide it by 1000";
+  return step_s < kFarRows_s
+             ? ""
+             : "its " + CountText(rows.size(), "row") + " are " + RoundedText(step_s, kDecimals) +
+                   " s apart (median), " + RoundedText(rows.back().time_s, kDecimals) +
+                   " s in all. If time_s is in milliseconds, divide it by 1000";
 }
 
 }  // namespace
@@ -110,22 +154,40 @@ Motion ReachingMotion(std::string name, const ArmCommand& from, const ArmCommand
 }
 
 Motion ReadMotion(std::istream& in, const std::string& name, const MotionReading& reading) {
-  CsvReader csv(in, name);
-  const CommandColumns columns(csv, reading.angles, {kTimeColumn});
-  RowTimes times(csv, reading.longest_s);
+  constexpr std::array<std::string_view, 3> kExample = {kTimeColumn, kElevationColumn,
+                                                        kPlaneColumn};
+  CsvReader csv(in, name, kExample);
+  const CommandColumns columns(csv, reading.angles, reading.columns, {kTimeColumn});
+  RowTimes times(csv, columns.names().Column(kTimeColumn), reading.longest_s);
   std::vector<TimedCommand> rows;
   AngleSpan span;
+  OpenGap gap(csv, columns, reading.gaps);
+  double duration_s = 0;
   while (csv.Next()) {
-    const double time_s = times.Next();
-    rows.push_back({time_s, columns.Read(csv.row(), {}, span)});
+    duration_s = times.Next();
+    if (const std::optional<ArmCommand> command = columns.Read(csv.row(), {}, span)) {
+      gap.Close(!rows.empty());
+      rows.push_back({duration_s, *command});
+    } else {
+      gap.Add();
+    }
   }
+  gap.Close(false);
   if (rows.empty()) {
-    csv.Fail("the motion has no rows");
+    csv.Fail(gap.left() > 0 ? "no row of the motion has all angles" : "the motion has no rows");
   }
   span.ExpectKnownUnit(name);
-  const double duration_s = rows.back().time_s;
-  return {name, duration_s, [path = ArmPath(rows)](double time_s) { return path.At(time_s); },
-          columns.axial_from(), HintAbout(name, rows)};
+  Motion motion = {name, duration_s,
+                   [path = ArmPath(rows)](double time_s) { return path.At(time_s); },
+                   columns.axial_from()};
+  for (const std::string& note : {columns.names().Note(), HintAbout(rows)}) {
+    if (!note.empty()) {
+      motion.notes.push_back(name + ": " + note);
+    }
+  }
+  motion.gaps = gap.left();
+  motion.bridged = gap.bridged();
+  return motion;
 }
 
 }  // namespace girdle

@@ -5,18 +5,20 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <functional>
 #include <istream>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "kinematics/shoulder_rhythm.h"
 #include "motions/arm_angles.h"
+#include "motions/column_names.h"
+#include "motions/gap_reading.h"
 #include "names/model_names.h"
 
 namespace girdle {
-
-inline constexpr const char* kTimeColumn = "time_s";
 
 /// An hour [s], the longest motion unless a longer one is allowed. A file with time stamps in
 /// milliseconds seems a thousand times as long as it is, and a trace grows by some three gigabytes
@@ -35,9 +37,11 @@ struct Motion {
   std::function<ArmCommand(double time_s)> command;
   /// The zero of the axial turns in the motion's file; nothing if it has none.
   std::optional<AxialFrom> axial_from = std::nullopt;
-  /// A possible mistake in the motion's file, one line without its line break; empty if there is
-  /// none.
-  std::string hint = {};
+  /// Lines about the motion's file, without line breaks: names that were read as known columns, and
+  /// possible mistakes.
+  std::vector<std::string> notes = {};
+  std::size_t gaps = 0;     ///< rows of the file with gaps that the motion passes over
+  std::size_t bridged = 0;  ///< rows of the file with gaps that are bridged
 };
 
 /// Rates of elevation, plane and axial [rad/s].
@@ -58,13 +62,18 @@ using CommandRate = std::array<double, kRateCount>;
 struct MotionReading {
   AngleReading angles;
   double longest_s = kLongestMotion_s;
+  std::vector<NamedColumn> columns = {};  ///< names of `--columns`
+  GapReading gaps = {GapRule::kRefuse};
 };
 
 /// Reads `time_s` and the columns of CommandColumns. Times must increase. The motion goes from row
 /// to row by ArmPath. It starts at the first time, which may be any number. Throws InputError with
 /// file and line, also for a motion longer than `longest_s`. If there are more than ten rows and
-/// their median interval is a second or more, the motion's hint reports it: time stamps in
-/// milliseconds look like that.
+/// their median interval is a second or more, a note reports it: time stamps in milliseconds look
+/// like that.
+///
+/// The path leaves out rows with gaps that are bridged or kept, and goes from the row before them
+/// to the row after them. At an end of the file the nearest row holds.
 [[nodiscard]] Motion ReadMotion(std::istream& in, const std::string& name,
                                 const MotionReading& reading = {});
 

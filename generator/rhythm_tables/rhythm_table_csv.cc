@@ -12,6 +12,7 @@
 #include "text/csv.h"
 #include "text/input_error.h"
 #include "text/number_text.h"
+#include "text/shown_text.h"
 
 namespace girdle {
 namespace {
@@ -205,7 +206,7 @@ RhythmTable ReadRhythmTable(std::istream& in, const std::string& name) {
     if (has_origin) {
       const std::string_view origin = csv.Field(csv.Column("origin"));
       if (origin != kMeasured && origin != kDerived) {
-        csv.Fail("origin is '" + std::string(origin) + "', expected " + std::string(kMeasured) +
+        csv.Fail("origin is '" + ShortText(origin) + "', expected " + std::string(kMeasured) +
                  " or " + std::string(kDerived));
       }
       position.measured = origin == kMeasured;

@@ -10,6 +10,7 @@
 #include "rhythms/built_in_files.h"
 #include "text/csv.h"
 #include "text/near_names.h"
+#include "text/shown_text.h"
 
 namespace girdle {
 namespace {
@@ -41,14 +42,14 @@ RhythmCoefficients ReadRhythmCoefficients(std::istream& in, const std::string& n
     const auto known =
         std::find(kGirdleAngleNames.begin(), kGirdleAngleNames.end(), csv.Field(angle));
     if (known == kGirdleAngleNames.end()) {
-      csv.Fail("angle '" + std::string(csv.Field(angle)) + "' is not known. " +
+      csv.Fail("angle '" + ShortText(csv.Field(angle)) + "' is not known. " +
                DidYouMean(csv.Field(angle), kGirdleAngleNames) + "Correct the name");
     }
     std::optional<LinearAngle>& place =
         coefficients[std::string(csv.Field(rhythm))]
                     [static_cast<std::size_t>(known - kGirdleAngleNames.begin())];
     if (place) {
-      csv.Fail(std::string(*known) + " of " + std::string(csv.Field(rhythm)) +
+      csv.Fail(std::string(*known) + " of " + ShortText(csv.Field(rhythm)) +
                " is given twice. Remove one of the rows");
     }
     place = LinearAngle{angle_rad(rest), factor(rest_factor), angle_rad(constant),

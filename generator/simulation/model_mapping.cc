@@ -9,6 +9,7 @@
 #include "text/csv.h"
 #include "text/input_error.h"
 #include "text/near_names.h"
+#include "text/shown_text.h"
 
 namespace girdle {
 namespace {
@@ -47,7 +48,7 @@ std::string MeantPart(std::string_view part) {
   return DidYouMean(part, known);
 }
 
-std::string Quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
+std::string Quoted(std::string_view text) { return "'" + ShortText(text) + "'"; }
 
 template <typename Names>
 std::optional<std::size_t> IndexOf(const Names& names, std::string_view name) {

@@ -16,6 +16,7 @@
 #include "anatomy/posed_bones.h"
 #include "skin/built_in_files.h"
 #include "text/csv.h"
+#include "text/shown_text.h"
 
 namespace girdle {
 namespace {
@@ -178,7 +179,7 @@ MakeHumanFit ReadMakeHumanFit(std::istream& in, const std::string& name) {
     const std::string_view key = csv.Field(quantity);
     const auto found = std::find(missing.begin(), missing.end(), key);
     if (found == missing.end()) {
-      csv.Fail("'" + std::string(key) + "' is not known, or is given twice");
+      csv.Fail("'" + ShortText(key) + "' is not known, or is given twice");
     }
     missing.erase(found);
     if (key == kVertexRow) {

@@ -108,13 +108,15 @@ bool IsZero(std::string_view number) {
 
 }  // namespace
 
-std::optional<double> FiniteNumber(std::string_view text) noexcept {
+std::optional<double> FiniteNumber(std::string_view text, char decimal_mark) noexcept {
   if (text.size() > 1 && text.front() == '+' && text[1] != '-' && text[1] != '+') {
     text.remove_prefix(1);
   }
   // Used in place of std::from_chars, which Clang's own library lacks for double before version 20.
   double value = 0;
-  const auto [end, error] = fast_float::from_chars(text.data(), text.data() + text.size(), value);
+  const auto [end, error] = fast_float::from_chars_advanced(
+      text.data(), text.data() + text.size(), value,
+      fast_float::parse_options{fast_float::chars_format::general, decimal_mark});
   if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value) ||
       (value == 0 && !IsZero(text))) {
     return std::nullopt;

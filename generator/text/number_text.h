@@ -13,8 +13,10 @@
 namespace girdle {
 
 /// Returns the finite number that is the whole of `text`, or nothing. `4O`, `nan`, `inf`, an empty
-/// text, blanks, and anything after the number are refused. A leading `+` is allowed.
-[[nodiscard]] std::optional<double> FiniteNumber(std::string_view text) noexcept;
+/// text, blanks, and anything after the number are refused. A leading `+` is allowed. The decimal
+/// mark is a point, or a comma if that is given.
+[[nodiscard]] std::optional<double> FiniteNumber(std::string_view text,
+                                                 char decimal_mark = '.') noexcept;
 
 /// Appends the shortest decimals that read back as exactly `value`.
 void AppendNumber(std::string& text, double value);

@@ -16,6 +16,7 @@
 /// header and the rows of an output from the table.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <string>
@@ -58,18 +59,27 @@ struct ExactNumbers {
 
 /// Writes numbers rounded to a number of decimals.
 struct RoundedNumbers {
-  int decimals;  ///< not negative
-  void operator()(std::string& text, double number) const { AppendRounded(text, number, decimals); }
+  int decimals;             ///< not negative
+  char decimal_mark = '.';  ///< point or comma
+  void operator()(std::string& text, double number) const {
+    const std::size_t begin = text.size();
+    AppendRounded(text, number, decimals);
+    if (decimal_mark != '.') {
+      std::replace(text.begin() + static_cast<std::ptrdiff_t>(begin), text.end(), '.',
+                   decimal_mark);
+    }
+  }
 };
 
-/// The columns of one output, with numbers as a NumberWriter appends them to a text.
+/// The columns of one output, with numbers as a NumberWriter appends them to a text, and a
+/// separator between columns.
 template <typename Row, typename NumberWriter>
 class WrittenColumns {
  public:
   template <typename Options, std::size_t N>
   WrittenColumns(const std::array<OutputColumns<Row, Options>, N>& table, const Options& options,
-                 NumberWriter write_number = {})
-      : write_number_(write_number) {
+                 NumberWriter write_number = {}, char separator = ',')
+      : write_number_(write_number), separator_(separator) {
     for (const OutputColumns<Row, Options>& columns : table) {
       const std::vector<std::string> stems = columns.stems(options);
       for (std::size_t k = 0; k < stems.size(); ++k) {
@@ -81,21 +91,24 @@ class WrittenColumns {
 
   [[nodiscard]] const std::vector<std::string>& names() const noexcept { return names_; }
 
-  /// Returns the names with commas between them.
+  /// Returns the names with separators between them.
   [[nodiscard]] std::string Header() const {
     std::string text;
     for (const std::string& name : names_) {
-      text += (text.empty() ? "" : ",") + name;
+      if (!text.empty()) {
+        text += separator_;
+      }
+      text += name;
     }
     return text;
   }
 
-  /// Appends the content of a row, with commas between the columns.
+  /// Appends the content of a row, with separators between the columns.
   void Append(std::string& text, const Row& row) const {
     bool is_first = true;
     for (const Value& value : values_) {
       if (!is_first) {
-        text += ',';
+        text += separator_;
       }
       is_first = false;
       const Cell cell = value.of(row, value.k);
@@ -114,6 +127,7 @@ class WrittenColumns {
   };
 
   NumberWriter write_number_;
+  char separator_;
   std::vector<std::string> names_;
   std::vector<Value> values_;
 };

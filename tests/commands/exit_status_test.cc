@@ -38,6 +38,11 @@ Ending EndingOf(const std::function<void()>& work) {
   return {};
 }
 
+TEST(ReportException, ShowsControlCharactersOfAnInputByTheirNumbers) {
+  EXPECT_EQ(EndingOf([] { throw InputError("t.csv:2: '\x1b[31m'\nSee --help"); }).text,
+            "girdle: t.csv:2: '\\x1b[31m'\nSee --help\n");
+}
+
 TEST(ReportException, SaysOfBadInputItsMessageAlone) {
   const Ending ending = EndingOf([] { throw InputError("a.csv", 7, "too few fields"); });
   EXPECT_EQ(ending.exit_status, 2);

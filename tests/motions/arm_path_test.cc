@@ -60,6 +60,17 @@ TEST(ArmPath, MeetsItsRowsToTheLastBitAndHoldsTheEnds) {
   EXPECT_EQ(path.At(7), rows.back());
 }
 
+TEST(BridgeCommands, TakesEvenStepsOfThePath) {
+  const ArmCommand before = Command_deg(20, 10, 5);
+  const ArmCommand after = Command_deg(80, -100, -170);
+  std::vector<ArmCommand> between(3);
+  BridgeCommands(before, after, between);
+  const ArmPath path = PathThrough({before, after});
+  for (std::size_t i = 0; i < between.size(); ++i) {
+    EXPECT_EQ(between[i], path.At(static_cast<double>(i + 1) / 4)) << i;
+  }
+}
+
 TEST(ArmPath, OfOneRowStays) {
   EXPECT_EQ(PathThrough({Command_deg(20, 10)}).At(3), Command_deg(20, 10));
 }

@@ -91,5 +91,12 @@ deg
             false);
 }
 
+TEST(MeansAxialTurn, IsFalseOfLongTexts) {
+  std::string name = "axial";
+  EXPECT_TRUE(MeansAxialTurn(name));
+  while (name.size() <= 128) name += "axial";
+  EXPECT_FALSE(MeansAxialTurn(name));
+}
+
 }  // namespace
 }  // namespace girdle::axial_names_test

@@ -26,7 +26,7 @@ ReadFile Read(const std::string& text, const AngleReading& reading = {},
   const CommandColumns columns(csv, reading);
   ReadFile file;
   while (csv.Next()) {
-    file.commands.push_back(columns.Read(csv.row(), otherwise, file.span));
+    file.commands.push_back(columns.Read(csv.row(), otherwise, file.span).value());
   }
   return file;
 }
@@ -66,6 +66,56 @@ TEST(CommandColumns, LeaveWhatTheyHaveNot) {
   EXPECT_EQ(command.plane_rad, RadiansFromDegrees(40));
 }
 
+// A row of elevation, plane and shrug, and what it is.
+std::string RowOf(const std::string& fields) {
+  std::istringstream in("elevation_deg,plane_deg,shrug_deg\n" + fields + "\n");
+  CsvReader csv(in, "t.csv");
+  const CommandColumns columns(csv, {});
+  AngleSpan span;
+  try {
+    static_cast<void>(csv.Next());
+    return columns.Read(csv.row(), {}, span) ? "command" : columns.GapText(csv.row());
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+TEST(CommandColumns, MayHaveGaps) {
+  EXPECT_EQ(RowOf("15,40,1"), "command");
+  EXPECT_EQ(RowOf(",40,1"), "elevation_deg is empty, a gap");
+  EXPECT_EQ(RowOf("15,40, "), "shrug_deg is empty, a gap");
+  for (const std::string gap : {"nan", "NaN", "NAN", "NA", "#N/A"}) {
+    EXPECT_EQ(RowOf("15," + gap + ",1"), "plane_deg is '" + gap + "', a gap");
+  }
+}
+
+TEST(CommandColumns, AreRefusedBesideGaps) {
+  EXPECT_EQ(RowOf(",inf,1"), "t.csv:2: plane_deg is 'inf', expected a finite number such as 22.5");
+  EXPECT_EQ(RowOf(",40,-"), "t.csv:2: shrug_deg is '-', expected a finite number such as 22.5");
+  EXPECT_EQ(RowOf("181,,"), "t.csv:2: elevation_deg is 181: expected 0 to 180 degrees");
+}
+
+TEST(CommandColumns, OfMoblArmsCountTheAxialTurnWithThePlane) {
+  const std::string header = "shoulder_rot,elv_angle,shoulder_elv\n";
+  const ArmCommand command = Read(header + "20,30,90\n").commands.at(0);
+  EXPECT_EQ(command.elevation_rad, RadiansFromDegrees(90));
+  EXPECT_EQ(command.plane_rad, RadiansFromDegrees(30));
+  EXPECT_NEAR(command.axial_rad, RadiansFromDegrees(-10), 1e-15);
+  EXPECT_EQ(command.axial_from, AxialFrom::kIsb);
+  AngleReading from_rhythm;
+  from_rhythm.must_have_axial = true;
+  EXPECT_EQ(RefusalOf(header + "20,30,90\n", from_rhythm),
+            "t.csv:1: --axial-from rhythm: 'shoulder_rot' counts from isb. Omit --axial-from");
+}
+
+TEST(CommandColumns, OfOpenCapHaveIsbsAxialTurn) {
+  const ArmCommand command =
+      Read("sh_plane_elev_l,sh_elev_l,sh_axial_rot_l\n30,90,-10\n").commands.at(0);
+  EXPECT_EQ(command.plane_rad, RadiansFromDegrees(30));
+  EXPECT_EQ(command.axial_rad, RadiansFromDegrees(-10));
+  EXPECT_EQ(command.axial_from, AxialFrom::kIsb);
+}
+
 TEST(CommandColumns, AreReadAsIsbWritesThem) {
   const ArmCommand command = Read("elevation_deg,plane_deg\n-90,40\n", kIsb).commands.at(0);
   EXPECT_EQ(command.elevation_rad, RadiansFromDegrees(90));
@@ -100,14 +150,15 @@ TEST(CommandColumns, AreReadAsRadians) {
 }
 
 TEST(CommandColumns, WithRadiansInTheirNamesAreToldTheOption) {
-  EXPECT_EQ(RefusalOf("Elevation [rad],plane_rad\n0.5,0.4\n"),
-            "t.csv:1: column 'Elevation [rad]' is not known. Name it 'elevation_deg', whatever the "
-            "unit, and give --angles rad");
+  EXPECT_EQ(
+      RefusalOf("Elevation [rad],plane_rad\n0.5,0.4\n"),
+      "t.csv:1: column 'Elevation [rad]' is not known. Name it 'elevation_deg' or give --columns "
+      "'elevation_deg=Elevation [rad]', whatever the unit, and give --angles rad");
   AngleReading radians;
   radians.unit = AngleUnit::kRadian;
   EXPECT_EQ(RefusalOf("elevation_deg,plane_rad\n0.5,0.4\n", radians),
-            "t.csv:1: column 'plane_rad' is not known. Name it 'plane_deg', whatever the unit, if "
-            "all angles of the file are in radians");
+            "t.csv:1: column 'plane_rad' is not known. Name it 'plane_deg' or give --columns "
+            "plane_deg=plane_rad, whatever the unit, if all angles of the file are in radians");
   AngleReading degrees;
   degrees.unit = AngleUnit::kDegree;
   EXPECT_EQ(
@@ -123,7 +174,8 @@ TEST(CommandColumns, WithRadiansInTheirNamesAreToldTheOption) {
             "these in degrees, too, as 'plane_deg', or all in radians with --angles rad");
   EXPECT_EQ(RefusalOf("elevation,plane_deg\n0.5,40\n"),
             "t.csv:1: column 'elevation' is not known. Did you mean 'elevation_deg'? Correct its "
-            "name, or give it one that is less alike");
+            "name or give --columns elevation_deg=elevation. If it is something else, give it a "
+            "name that is less alike");
 }
 
 TEST(CommandColumns, AreRefusedWithPlaceValueAndFix) {
@@ -156,20 +208,24 @@ TEST(CommandColumns, AreRefusedWithPlaceValueAndFix) {
 
 TEST(CommandColumns, AreRefusedWhereOneIsNearlyKnown) {
   EXPECT_EQ(RefusalOf("elevation_deg,plane_deg,axial\n15,40,1\n"),
-            "t.csv:1: column 'axial' is not known. Did you mean 'axial_deg'? Correct its name, or "
-            "give it one that is less alike");
+            "t.csv:1: column 'axial' is not known. Did you mean 'axial_deg'? Correct its name or "
+            "give --columns axial_deg=axial. If it is something else, give it a name that is less "
+            "alike");
   EXPECT_TRUE(RefusalOf("elevation_deg,plane_deg,shrug_degs\n15,40,1\n").starts_with("t.csv:1: "));
   EXPECT_TRUE(RefusalOf("elevation,plane_deg\n15,40\n").find("mean 'elevation_deg'") !=
               std::string::npos);
   EXPECT_EQ(RefusalOf("elevation_deg,psi\n15,40\n"),
-            "t.csv:1: column 'plane_deg' is missing. The header has: elevation_deg, psi");
+            "t.csv:1: column 'plane_deg' is missing. If it has another name, give --columns "
+            "plane_deg=NAME. The header has: elevation_deg, psi");
 }
 
 TEST(CommandColumns, AreRefusedWhereAnotherOnePlainlyIsTheAxialTurn) {
-  EXPECT_EQ(RefusalOf("elevation_deg,plane_deg,internal_rotation_deg\n15,40,1\n"),
-            "t.csv:1: column 'internal_rotation_deg' is not known. Did you mean 'axial_deg', in "
-            "which internal rotation is positive? Correct its name, and give --axial-from isb if "
-            "it is ISB's third angle; or give it a name that is less alike");
+  EXPECT_EQ(
+      RefusalOf("elevation_deg,plane_deg,internal_rotation_deg\n15,40,1\n"),
+      "t.csv:1: column 'internal_rotation_deg' is not known. Did you mean 'axial_deg', in "
+      "which internal rotation is positive? Correct its name or give --columns "
+      "axial_deg=internal_rotation_deg, and give --axial-from isb if it is ISB's third angle. "
+      "If it is something else, give it a name that is less alike");
   // Beside the one that is read it is the owner's business.
   EXPECT_EQ(RefusalOf("elevation_deg,plane_deg,axial_deg,axial_isb_deg\n15,40,1,-40\n"),
             "accepted");

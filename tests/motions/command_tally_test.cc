@@ -31,6 +31,12 @@ TEST(TallyText, NamesWhatIsCountedAndPointsToColumnsThatAreThere) {
             "2 simulated states, 0 clamped, 0 modelled");
 }
 
+TEST(TallyText, CountsGapsAndBridgedRowsWhereThereAreSome) {
+  EXPECT_EQ(TallyText({9, 0, 0, 0, 0, 0, 1, 3}, {.axial_from = AxialFrom::kIsb}),
+            "9 rows, 0 clamped, 0 modelled, 1 gap, 3 bridged, axial from isb");
+  EXPECT_EQ(TallyText({9, 0, 0, 0, 0, 0, 2, 0}, {}), "9 rows, 0 clamped, 0 modelled, 2 gaps");
+}
+
 TEST(TallyText, SaysWhatAxialTurnsCountFrom) {
   EXPECT_EQ(TallyText({2, 0, 0, 0, 0, 0}, {.axial_from = AxialFrom::kIsb}),
             "2 rows, 0 clamped, 0 modelled, axial from isb");
@@ -42,15 +48,17 @@ TEST(TallyText, SaysWhereTheHangingArmComesFromThatRotationsCountFrom) {
 }
 
 TEST(CommandTally, AddsUpParts) {
-  CommandTally tally{9, 3, 2, 2, 4, 0.25};
-  tally.Add({1, 1, 1, 1, 1, 0.5});
-  tally.Add({0, 0, 0, 0, 0, 0.125});
+  CommandTally tally{9, 3, 2, 2, 4, 0.25, 1, 2};
+  tally.Add({1, 1, 1, 1, 1, 0.5, 2, 3});
+  tally.Add({0, 0, 0, 0, 0, 0.125, 0, 0});
   EXPECT_EQ(tally.rows, 10U);
   EXPECT_EQ(tally.clamped, 4U);
   EXPECT_EQ(tally.beyond, 3U);
   EXPECT_EQ(tally.derived, 3U);
   EXPECT_EQ(tally.modelled, 5U);
   EXPECT_EQ(tally.farthest_rad, 0.5);
+  EXPECT_EQ(tally.gaps, 3U);
+  EXPECT_EQ(tally.bridged, 5U);
 }
 
 }  // namespace

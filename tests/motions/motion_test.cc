@@ -5,17 +5,19 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "text/input_error.h"
 
 namespace girdle::motion_test {
 namespace {
 
-Motion FromText(const std::string& text) {
+Motion FromText(const std::string& text, const MotionReading& reading = {}) {
   std::istringstream in(text);
-  return ReadMotion(in, "motion.csv");
+  return ReadMotion(in, "motion.csv", reading);
 }
 
 constexpr const char* kValid = "time_s,elevation_deg,plane_deg\n0,20,40\n1,80,40\n3,100,40\n";
@@ -92,7 +94,8 @@ std::string HintOf(int rows, double step_s) {
   for (int i = 1; i < rows; ++i) {
     text << i * step_s << ",30,40\n";
   }
-  return FromText(text.str()).hint;
+  const Motion motion = FromText(text.str());
+  return motion.notes.empty() ? "" : motion.notes.front();
 }
 
 TEST(ReadMotion, HintsAtStampsInMilliseconds) {
@@ -102,6 +105,62 @@ TEST(ReadMotion, HintsAtStampsInMilliseconds) {
   EXPECT_NE(HintOf(11, 1), "");
   EXPECT_EQ(HintOf(10, 1), "");
   EXPECT_EQ(HintOf(101, 0.99), "");
+}
+
+// Rows of the second to the fourth second are gaps.
+constexpr const char* kWithGap =
+    "time_s,elevation_deg,plane_deg\n0,20,40\n1,30,40\n2,,40\n3,NaN,40\n4,70,40\n5,NA,40\n";
+
+MotionReading WithGaps(GapRule rule, std::size_t bridged_rows) {
+  MotionReading reading;
+  reading.gaps = {rule, bridged_rows};
+  return reading;
+}
+
+std::string RefusalOf(const std::string& text, const MotionReading& reading) {
+  try {
+    static_cast<void>(FromText(text, reading));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(ReadMotion, PassesOverGapsThatAreKept) {
+  const Motion motion = FromText(kWithGap, WithGaps(GapRule::kKeep, 2));
+  EXPECT_EQ(motion.bridged, 2U);
+  EXPECT_EQ(motion.gaps, 1U);
+  EXPECT_EQ(motion.duration_s, 5);
+  // By the times of the rows: a third of the way from 30 to 70.
+  EXPECT_NEAR(DegreesFromRadians(motion.command(2).elevation_rad), 30 + 40.0 / 3, 1e-12);
+  EXPECT_EQ(motion.command(5).elevation_rad, RadiansFromDegrees(70));
+}
+
+TEST(ReadMotion, RefusesGapsThatAreNotBridged) {
+  EXPECT_EQ(
+      RefusalOf(kWithGap, {}),
+      "motion.csv:4: elevation_deg is empty, a gap of 2 rows. Fill it, or give --bridge-gaps 2 "
+      "or --gaps keep");
+  EXPECT_EQ(RefusalOf(kWithGap, WithGaps(GapRule::kRefuse, 1)), RefusalOf(kWithGap, {}));
+  EXPECT_EQ(RefusalOf(kWithGap, WithGaps(GapRule::kRefuse, 2)),
+            "motion.csv:7: elevation_deg is 'NA', a gap of 1 row. Fill it, remove the row, or give "
+            "--gaps keep");
+}
+
+TEST(ReadMotion, RefusesAFileOfGapsAloneAndATimeThatIsMissing) {
+  EXPECT_EQ(RefusalOf("time_s,elevation_deg,plane_deg\n0,,40\n", WithGaps(GapRule::kKeep, 0)),
+            "motion.csv:2: no row of the motion has all angles");
+  EXPECT_EQ(RefusalOf("time_s,elevation_deg,plane_deg\n,20,40\n", WithGaps(GapRule::kKeep, 0)),
+            "motion.csv:2: time_s is '', expected a finite number such as 22.5");
+}
+
+TEST(ReadMotion, ReadsNamesThatAreGivenAndNotesThem) {
+  MotionReading reading;
+  reading.columns = {{"time_s", "t"}, {"elevation_deg", "theta"}};
+  const Motion motion = FromText("t,theta,plane_deg\n0,20,40\n0.5,60,40\n", reading);
+  EXPECT_EQ(motion.command(0.5).elevation_rad, RadiansFromDegrees(60));
+  EXPECT_EQ(motion.notes,
+            (std::vector<std::string>{"motion.csv: read 't' as time_s, 'theta' as elevation_deg"}));
 }
 
 TEST(ReadMotion, SaysWhatAxialTurnsCountFrom) {
@@ -202,10 +261,12 @@ INSTANTIATE_TEST_SUITE_P(
                               "motion give --longest SECONDS"},
                     BadMotion{"NearlyAColumn", "plane_deg", "plan_deg",
                               "motion.csv:1: column 'plan_deg' is not known. Did you mean "
-                              "'plane_deg'? Correct its name, or give it one that is less alike"},
+                              "'plane_deg'? Correct its name or give --columns plane_deg=plan_deg. "
+                              "If it is something else, give it a name that is less alike"},
                     BadMotion{"NearlyTheTime", "time_s", "time",
                               "motion.csv:1: column 'time' is not known. Did you mean 'time_s'? "
-                              "Correct its name, or give it one that is less alike"},
+                              "Correct its name or give --columns time_s=time. If it is something "
+                              "else, give it a name that is less alike"},
                     BadMotion{"NoRows", "0,20,40\n1,80,40\n3,100,40\n", "",
                               "motion.csv:1: the motion has no rows"}),
     [](const auto& parameter) { return parameter.param.name; });

@@ -141,8 +141,9 @@ TWELVE_DIGITS = ("--digits", "12")
 # What standard error says after a file of commands, and of each file that was written.
 TALLY = re.compile(
     r"(girdle: .+: \d+ (row|simulated state)s?, \d+ clamped( \(.+\))?(, \d+ derived)?"
-    r", \d+ modelled( \(.+\))?(, axial from (rhythm|isb|swing))?"
+    r", \d+ modelled( \(.+\))?(, \d+ gaps?)?(, \d+ bridged)?(, axial from (rhythm|isb|swing))?"
     r"(, relative to hanging \((measured|derived|modelled)\))?\n"
+    r"|girdle: .+: read '.+\n"
     r"|girdle: wrote [^\n:]+(: \d+ (row|frame|position)s?)?\n)+"
 )
 

@@ -351,7 +351,7 @@ def replaced(line: int, old: str, new: str, *patterns: str) -> WrongMotion:
         replaced(3, ",40,", ",400,", "elevation_deg is 400", "expected 0 to 180"),
         replaced(3, ",40,", ",181,", "elevation_deg is 181", "expected 0 to 180"),
         replaced(3, ",5,10", ",1e300,10", "plane_deg is 1e\\+300", "-3600 to 3600"),
-        replaced(3, ",40,", ",nan,", "elevation_deg is 'nan'", "finite"),
+        replaced(3, ",40,", ",nan,", "elevation_deg is 'nan', a gap", "--bridge-gaps 1"),
         replaced(3, "0.1,40,5,10", "0.1,40,5", "3 fields, expected 4"),
         replaced(1, "axial_deg", "axial", "'axial' is not known", "mean 'axial_deg'"),
         replaced(1, "time_s", "axial_deg", "'axial_deg' is given twice", "Rename"),

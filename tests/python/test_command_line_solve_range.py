@@ -449,7 +449,7 @@ def test_an_offset_that_is_no_number_is_refused(refuses: Refuses, option: str, w
         ("protraction_deg", "31", ("protraction_deg is 31", "-25 to 30")),
         ("protraction_deg", "-25.01", ("protraction_deg is -25.01", "-25 to 30")),
         ("shrug_deg", "up", ("shrug_deg is 'up'", "such as")),
-        ("protraction_deg", "", ("protraction_deg is ''", "such as")),
+        ("protraction_deg", "-", ("protraction_deg is '-'", "such as")),
     ],
 )
 def test_a_wrong_offset_in_a_file_is_refused_with_its_line(

@@ -25,18 +25,20 @@ def test_help_says_what_each_exit_status_means(program: Path) -> None:
     assert "2 the command line or a file cannot be used, 3 a fault of Girdle, 4 the memory" in text
 
 
-@pytest.mark.parametrize("option", ["--in", "--table"])
-def test_memory_that_is_used_up_is_not_called_bad_input(program: Path, tmp_path: Path, option: str) -> None:
-    endless_line = tmp_path / "line.csv"
-    with endless_line.open("wb") as file:
-        file.truncate(1024 * MEBIBYTE)  # takes no room on the disk
+def test_memory_that_is_used_up_is_not_called_bad_input(program: Path, tmp_path: Path) -> None:
+    table = tmp_path / "table.csv"
+    names = next(line for line in TABLE.read_text().splitlines() if not line.startswith("#"))
+    zeros = ",0" * names.replace(",origin", "").count(",")
+    with table.open("w") as file:
+        file.write(names.replace(",origin", "") + "\n")
+        # A plane of far more elevations than a table has, which are kept until the next plane.
+        file.writelines(f"0,{i / 10_000}{zeros[2:]}\n" for i in range(1_000_000))
 
     def limit_memory() -> None:
-        resource.setrlimit(resource.RLIMIT_AS, (200 * MEBIBYTE, 200 * MEBIBYTE))
+        resource.setrlimit(resource.RLIMIT_AS, (100 * MEBIBYTE, 100 * MEBIBYTE))
 
-    place = ["--out", "/dev/null"] if option == "--in" else ["--elevation", "30", "--plane", "0"]
     result = subprocess.run(
-        [program, "solve", option, endless_line, *place],
+        [program, "solve", "--table", table, "--elevation", "30", "--plane", "0"],
         preexec_fn=limit_memory,
         capture_output=True,
         text=True,
