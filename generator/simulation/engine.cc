@@ -153,6 +153,9 @@ ModelPointer LoadModel(const std::string& path) {
         (std::filesystem::exists(path, ignored) ? ": is not a regular file" : ": no such file") +
         ". Make a model with girdle generate --out FOLDER and name its scene.xml");
   }
+  if (path.find('\\') != std::string::npos) {
+    throw InputError(path + ": MuJoCo takes a backslash in a path for a slash. Rename it");
+  }
   if (IsBinary(path)) {
     ExpectLoadable(path);
     ModelPointer model(mj_loadModel(path.c_str(), nullptr));
