@@ -277,8 +277,9 @@ def test_a_file_that_cannot_be_replaced_puts_all_back(girdle: Girdle, tmp_path: 
 def test_nobody_can_lay_a_link_in_the_way_of_a_temporary_file(girdle: Girdle, tmp_path: Path) -> None:
     """Names by the number of the process could be foreseen."""
     (tmp_path / "kept").write_text("kept\n")
-    for number in range(1, 300):
-        (tmp_path / f"out.csv.{os.getpid() + number}.part").symlink_to("kept")
+    with subprocess.Popen(["true"]) as latest:
+        for number in range(1, 300):
+            (tmp_path / f"out.csv.{latest.pid + number}.part").symlink_to("kept")
     assert girdle(*WRITERS["solve"], "out.csv").code == 0
     assert (tmp_path / "kept").read_text() == "kept\n"
 
