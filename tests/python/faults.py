@@ -9,9 +9,38 @@ import subprocess
 from collections.abc import Mapping
 from pathlib import Path
 
-from conftest import PROGRAM_TIMEOUT_S
+import pytest
+from conftest import PROGRAM_TIMEOUT_S, SCENE, with_scene
+from reference_rhythm import DATABASE
 
 MEBIBYTE = 1 << 20
+
+# Each verb that writes a file, up to the file's name.
+WRITERS = {
+    "solve": ("solve", "--elevation", "0:150:1", "--plane", "0", "--out"),
+    "simulate": ("simulate", SCENE, "--elevation", "15:16", "--seconds", "0.1", "--out"),
+    "simulate controls": ("simulate", SCENE, "--elevation", "15:16", "--seconds", "0.1", "--out-controls"),
+    "simulate picture": ("simulate", SCENE, "--elevation", "15:16", "--seconds", "0.1", "--out-picture"),
+    "simulate video": ("simulate", SCENE, "--elevation", "15:16", "--seconds", "0.1", "--out-video"),
+    "render": ("render", SCENE, "--out"),
+    "compare": ("compare", "--out"),
+    "smooth-table": ("smooth-table", "--in", str(DATABASE), "--out"),
+    "fit-thorax": ("fit-thorax", "--out"),
+}
+SUFFIXES = {"simulate picture": ".png", "simulate video": ".mp4", "render": ".png"}
+every_writer = pytest.mark.parametrize("writer", WRITERS)
+
+
+def named(writer: str, stem: str = "out") -> str:
+    """The name of a file that the verb writes, with the suffix that it asks for."""
+    return stem + SUFFIXES.get(writer, ".csv")
+
+
+def command(writer: str, name: str, generated: Path) -> list[str]:
+    """The words after `girdle`."""
+    words = with_scene(WRITERS[writer], generated)
+    # A name that begins with a dash belongs to its option by the sign between them.
+    return [*words[:-1], f"{words[-1]}={name}"]
 
 
 def run_limited(
