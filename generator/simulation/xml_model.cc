@@ -70,7 +70,9 @@ double BytesOf(const std::string& text) {
   const char* const end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, bytes);
   const std::size_t steps =
-      stop == end ? 0 : kSuffixes.find(static_cast<char>(std::toupper(*stop))) + 1;
+      stop == end
+          ? 0
+          : kSuffixes.find(static_cast<char>(std::toupper(static_cast<unsigned char>(*stop)))) + 1;
   return error == std::errc() && bytes > 0 ? bytes * std::pow(kStep, steps) : 0;
 }
 
@@ -109,7 +111,7 @@ constexpr std::size_t kMostMemory = 1'000'000'000;
 constexpr char kEngineFault = 'e';
 constexpr char kModelFault = 'm';
 constexpr char kNoMemory = 'n';
-constexpr const char* kFix =
+constexpr const char* kLowerSizes =
     ". Lower what makes the model large, such as counts of replicate and composite, vertices of "
     "meshes, and sizes of pictures and height fields";
 
@@ -125,7 +127,9 @@ void ExpectLoadableXml(const std::string& path, const std::function<void()>& loa
   const std::filesystem::path folder = std::filesystem::current_path(unclear);
   const ChildResult tried = RunInChild(
       [&](const auto& write) {
-        std::filesystem::current_path(folder);  // what the model names may be relative to it
+        std::error_code ignored;
+        // The files that the model names may be relative to it.
+        std::filesystem::current_path(folder, ignored);
         try {
           load();
         } catch (const EngineError& error) {
@@ -141,7 +145,7 @@ void ExpectLoadableXml(const std::string& path, const std::function<void()>& loa
     throw InputError(path +
                      ": MuJoCo cannot load it: a process that did, with at most 1 GB of "
                      "memory, " +
-                     tried.failure + kFix);
+                     tried.failure + kLowerSizes);
   }
   if (tried.output.empty()) {
     return;
@@ -153,7 +157,7 @@ void ExpectLoadableXml(const std::string& path, const std::function<void()>& loa
     case kModelFault:
       throw InputError(fault);
     default:
-      throw InputError(path + ": MuJoCo needs more than 1 GB of memory to load it" + kFix);
+      throw InputError(path + ": MuJoCo needs more than 1 GB of memory to load it" + kLowerSizes);
   }
 }
 
