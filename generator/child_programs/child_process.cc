@@ -25,6 +25,7 @@
 #include "child_programs/child_end.h"
 #include "child_programs/descriptor.h"
 #include "text/input_error.h"
+#include "text/number_text.h"
 
 namespace girdle {
 namespace {
@@ -32,8 +33,6 @@ namespace {
 constexpr int kThrew = 3;
 // Shells report a signal as this number plus the signal's.
 constexpr int kSignalled = 128;
-// Limit in bytes, above the size of any answer.
-constexpr std::size_t kMostOutput = 1 << 20;
 // Pause between two checks of a child that writes nothing.
 constexpr int kPause_ms = 5;
 // Killed processes are gone in milliseconds, unless the kernel waits for a device.
@@ -52,8 +51,19 @@ void WriteAll(int file, std::string_view text) {
   }
 }
 
-[[noreturn]] void BeChild(int out, const Work& work) {
+void LimitMemory([[maybe_unused]] std::size_t bytes) {
+#ifndef __SANITIZE_ADDRESS__
+  // RLIMIT_AS would count room that threads and libraries reserve and never use.
+  const rlimit most{bytes, bytes};
+  setrlimit(RLIMIT_DATA, &most);
+#endif
+}
+
+[[noreturn]] void BeChild(int out, const Work& work, const ChildLimits& limits) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (limits.memory_bytes != 0) {
+    LimitMemory(limits.memory_bytes);
+  }
   const int nowhere = open("/dev/null", O_RDWR | O_CLOEXEC);
   if (nowhere >= 0) {  // a root without /dev has no such file
     dup2(nowhere, STDIN_FILENO);
@@ -83,14 +93,14 @@ void WriteAll(int file, std::string_view text) {
 
 // Starts the child and ends in the way that the child ends. If the child cannot be started, ends by
 // SIGRTMAX, which nothing else sends.
-[[noreturn]] void BeParent(int out, const Work& work) {
+[[noreturn]] void BeParent(int out, const Work& work, const ChildLimits& limits) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   setsid();  // a group to kill at once, without a terminal
   const rlimit no_core{0, 0};
   setrlimit(RLIMIT_CORE, &no_core);
   const pid_t child = fork();
   if (child == 0) {
-    BeChild(out, work);
+    BeChild(out, work, limits);
   }
   if (child < 0) {
     EndBy(SIGRTMAX);
@@ -139,10 +149,10 @@ void KillAll(pid_t group, const std::set<pid_t>& earlier) {
   }
 }
 
-// Appends the bytes that can be read without waiting, up to a little more than the limit.
-void ReadReady(int file, std::string& text) {
+// Appends the bytes that can be read without waiting, up to a little more than `most`.
+void ReadReady(int file, std::size_t most, std::string& text) {
   std::array<char, 4096> buffer{};
-  while (text.size() <= kMostOutput) {
+  while (text.size() <= most) {
     const ssize_t size = read(file, buffer.data(), buffer.size());
     if (size == 0 || (size < 0 && errno != EINTR)) {
       return;
@@ -151,9 +161,15 @@ void ReadReady(int file, std::string& text) {
   }
 }
 
+std::string MegabytesText(std::size_t bytes) {
+  constexpr double kBytesPerMegabyte = 1e6;
+  constexpr int kDigits = 3;
+  return SignificantText(static_cast<double>(bytes) / kBytesPerMegabyte, kDigits) + " MB";
+}
+
 }  // namespace
 
-ChildResult RunInChild(const Work& work, int limit_s) {
+ChildResult RunInChild(const Work& work, const ChildLimits& limits) {
   HearHowChildrenEnd();
   prctl(PR_SET_CHILD_SUBREAPER, 1);
   const std::set<pid_t> earlier = Sessions();
@@ -169,13 +185,13 @@ ChildResult RunInChild(const Work& work, int limit_s) {
   }
   if (parent == 0) {
     ours.Close();
-    BeParent(theirs.get(), work);
+    BeParent(theirs.get(), work, limits);
   }
   theirs.Close();
   fcntl(ours.get(), F_SETFL, O_NONBLOCK);
   ChildResult result;
   bool is_started = true;
-  const Clock::time_point end = Clock::now() + std::chrono::seconds(limit_s);
+  const Clock::time_point end = Clock::now() + std::chrono::seconds(limits.time_s);
   for (;;) {
     pollfd waiting{ours.get(), POLLIN, 0};
     poll(&waiting, 1, kPause_ms);
@@ -183,20 +199,20 @@ ChildResult RunInChild(const Work& work, int limit_s) {
     // The process stays a zombie, so that its number still means its group until the group is
     // killed.
     waitid(P_PID, static_cast<id_t>(parent), &ended, WEXITED | WNOHANG | WNOWAIT);
-    ReadReady(ours.get(), result.output);
+    ReadReady(ours.get(), limits.output_bytes, result.output);
     if (ended.si_pid != 0) {
       const ChildEnd how{ended.si_code != CLD_EXITED, ended.si_status};
       is_started = !how.by_signal || how.number != SIGRTMAX;
       result.failure = how.text();
       break;
     }
-    if (result.output.size() > kMostOutput) {
-      result.failure = "wrote more than a megabyte";
+    if (result.output.size() > limits.output_bytes) {
+      result.failure = "wrote more than " + MegabytesText(limits.output_bytes);
       break;
     }
     if (Clock::now() > end) {
       result.is_late = true;
-      result.failure = "did not end within " + std::to_string(limit_s) + " s";
+      result.failure = "did not end within " + std::to_string(limits.time_s) + " s";
       break;
     }
   }
@@ -209,7 +225,7 @@ ChildResult RunInChild(const Work& work, int limit_s) {
 }
 
 ChildResult RunProgramInChild(const std::filesystem::path& program,
-                              std::vector<std::string> arguments, int limit_s) {
+                              std::vector<std::string> arguments, const ChildLimits& limits) {
   std::string name = program.string();
   std::vector<char*> words = {name.data()};
   for (std::string& argument : arguments) {
@@ -221,7 +237,7 @@ ChildResult RunProgramInChild(const std::filesystem::path& program,
         execv(program.c_str(), words.data());
         _exit(kCannotRun);
       },
-      limit_s);
+      limits);
 }
 
 }  // namespace girdle

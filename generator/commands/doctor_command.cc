@@ -20,6 +20,7 @@
 #include "commands/exit_status.h"
 #include "commands/output_file.h"
 #include "commands/picture_diagnosis.h"
+#include "commands/random_name.h"
 #include "commands/simulation_module.h"
 #include "mjcf/shoulder_model.h"
 #include "mujoco_search/diagnosis.h"
@@ -194,10 +195,10 @@ FoundEngine EngineOf(const fs::path& package) {
 std::error_code CopyTried(const fs::path& plugin, const fs::path& copy,
                           const std::function<void(const fs::path&)>& attempt) {
   std::error_code error;
-  const fs::path part = copy.string() + "." + std::to_string(getpid()) + kPart;
+  const fs::path part = copy.string() + "." + RandomName() + kPart;
   fs::create_directories(copy.parent_path(), error);
   if (!error) {
-    fs::copy_file(plugin, part, error);
+    fs::copy_file(plugin, part, error);  // into a new file: it fails if there is one
   }
   if (!error) {
     using enum fs::perms;

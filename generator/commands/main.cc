@@ -4,6 +4,7 @@
 /// The program `girdle`: verbs first, errors on standard error, exit statuses as in exit_status.h.
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <csignal>
 #include <exception>
 #include <iostream>
 #include <memory>
@@ -97,6 +98,8 @@ int Run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   std::ios::sync_with_stdio(false);
+  // A file that grows beyond the limit of the system (ulimit -f) is an error of its write.
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
     return girdle::Run(argc, argv);
   } catch (...) {

@@ -4,14 +4,20 @@
 #include "commands/output_file.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <iostream>
+#include <memory>
 #include <system_error>
+#include <thread>
 
+#include "child_programs/descriptor.h"
+#include "commands/random_name.h"
 #include "text/input_error.h"
 #include "text/number_text.h"
 #include "text/shown_text.h"
@@ -22,11 +28,78 @@ namespace {
 constexpr std::string_view kStandardOutput = "-";
 // Read and write for everybody, minus the bits of the umask.
 constexpr mode_t kFileMode = 0666;
+// Random names are taken by others only on purpose.
+constexpr int kMostTries = 100;
+
+std::string RandomPath(const std::filesystem::path& folder) {
+  return folder / (".girdle-" + RandomName() + ".part");
+}
 
 [[noreturn]] void FailWriting(const std::string& path) {
   throw InputError((path == kStandardOutput ? "standard output" : path) + ": cannot be written: " +
                    std::strerror(errno) + ". Choose a place that can be written");
 }
+
+// A folder that the destructor removes if it was made here, is empty and is not kept.
+class MadeFolder {
+ public:
+  explicit MadeFolder(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::path missing = std::filesystem::absolute(folder, error);
+    for (; !missing.empty() && !std::filesystem::exists(missing, error);
+         missing = missing.parent_path()) {
+      made_.push_back(missing);
+    }
+    std::filesystem::create_directories(folder, error);
+    if (error) {
+      RemoveMade();
+      throw InputError(folder.string() + ": the folder cannot be made: " + error.message() +
+                       ". Choose another one with --out");
+    }
+  }
+  MadeFolder(const MadeFolder&) = delete;
+  MadeFolder& operator=(const MadeFolder&) = delete;
+  ~MadeFolder() { RemoveMade(); }
+
+  void Keep() { made_.clear(); }
+
+ private:
+  void RemoveMade() {
+    for (const std::filesystem::path& folder : made_) {
+      rmdir(folder.c_str());  // fails if something is in it
+    }
+  }
+
+  std::vector<std::filesystem::path> made_;  // the deepest one first
+};
+
+// Holds a folder against other programs of Girdle. The lock ends with the process in any case.
+class FolderLock {
+ public:
+  explicit FolderLock(const std::filesystem::path& folder)
+      : folder_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+    constexpr std::chrono::milliseconds kPause(10);
+    constexpr std::chrono::seconds kLongest(30);
+    for (std::chrono::milliseconds waited(0); flock(folder_.get(), LOCK_EX | LOCK_NB) != 0;
+         waited += kPause) {
+      if (errno != EWOULDBLOCK) {
+        return;  // a file system without locks, or a folder that cannot be read
+      }
+      if (waited >= kLongest) {
+        throw InputError(folder.string() +
+                         ": another program holds the folder (flock). Wait for its end, or choose "
+                         "another folder with --out");
+      }
+      std::this_thread::sleep_for(kPause);
+    }
+  }
+
+  // Writes the names in the folder to the disk.
+  void Sync() const noexcept { fsync(folder_.get()); }
+
+ private:
+  Descriptor folder_;
+};
 
 }  // namespace
 
@@ -36,11 +109,11 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
     return;
   }
   std::error_code ignored;
-  const bool is_replaced =
+  is_replaced_ =
       !std::filesystem::exists(path_, ignored) || std::filesystem::is_regular_file(path_, ignored);
-  if (!is_replaced) {
-    file_ = std::fopen(path_.c_str(), "wb");
-    if (file_ == nullptr) {
+  if (!is_replaced_) {
+    const int device = open(path_.c_str(), O_WRONLY | O_TRUNC | O_NOCTTY | O_CLOEXEC);
+    if (device < 0 || !Take(device)) {
       Fail();
     }
     return;
@@ -52,43 +125,66 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
     target = target.parent_path() / std::filesystem::read_symlink(target, ignored);
   }
   path_ = target.string();
-  temporary_path_ = path_ + "." + std::to_string(getpid()) + ".part";
-  if (!OpenUnnamed(target.parent_path().string())) {
+  folder_ = target.parent_path();
+  if (!OpenUnnamed()) {
     OpenNamed();
   }
 }
 
 // A file without a name vanishes when the program ends in any way. Not all file systems support
 // such files.
-bool OutputFile::OpenUnnamed(const std::string& folder) {
-  const int descriptor = open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, kFileMode);
+bool OutputFile::OpenUnnamed() {
+  const int descriptor = open(folder_.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, kFileMode);
   if (descriptor < 0) {
     return false;
   }
-  file_ = fdopen(descriptor, "wb");
-  if (file_ == nullptr) {
-    close(descriptor);
-    return false;
-  }
-  is_named_ = false;
-  return true;
+  return Take(descriptor);
 }
 
 void OutputFile::OpenNamed() {
-  file_ = std::fopen(temporary_path_.c_str(), "wb");
-  if (file_ == nullptr) {
-    temporary_path_.clear();
+  // A name that exists is not opened, whatever is there: nobody can make the program write through
+  // a link of theirs.
+  int descriptor = -1;
+  for (int tries = 0; descriptor < 0 && tries < kMostTries; ++tries) {
+    temporary_path_ = RandomPath(folder_);
+    descriptor = open(temporary_path_.c_str(), O_CREAT | O_EXCL | O_NOFOLLOW | O_WRONLY | O_CLOEXEC,
+                      kFileMode);
+    if (descriptor < 0 && errno != EEXIST) {
+      break;
+    }
+  }
+  if (descriptor < 0) {
     Fail();
   }
+  if (!Take(descriptor)) {
+    unlink(temporary_path_.c_str());
+    Fail();
+  }
+  is_named_ = true;
+}
+
+// Makes the stream of an open file, which it closes.
+bool OutputFile::Take(int descriptor) {
+  file_ = fdopen(descriptor, "wb");
+  if (file_ == nullptr) {
+    close(descriptor);
+  }
+  return file_ != nullptr;
 }
 
 void OutputFile::Name() {
   const std::string unnamed = "/proc/self/fd/" + std::to_string(fileno(file_));
-  if (linkat(AT_FDCWD, unnamed.c_str(), AT_FDCWD, temporary_path_.c_str(), AT_SYMLINK_FOLLOW) !=
-      0) {
+  for (int tries = 0; !is_named_ && tries < kMostTries; ++tries) {
+    temporary_path_ = RandomPath(folder_);
+    is_named_ = linkat(AT_FDCWD, unnamed.c_str(), AT_FDCWD, temporary_path_.c_str(),
+                       AT_SYMLINK_FOLLOW) == 0;
+    if (!is_named_ && errno != EEXIST) {
+      break;
+    }
+  }
+  if (!is_named_) {
     Fail();
   }
-  is_named_ = true;
 }
 
 OutputFile::~OutputFile() {
@@ -115,30 +211,68 @@ void OutputFile::Flush() {
 }
 
 void OutputFile::Commit() {
+  const SignalsBlocked blocked;
+  Prepare();
+  Rename();
+}
+
+void OutputFile::Prepare() {
   Flush();
   if (file_ == stdout) {
     return;
   }
-  if (!temporary_path_.empty()) {
+  if (is_replaced_) {
     // The new file has the access rights of the earlier file.
     struct stat earlier {};
-    if (stat(path_.c_str(), &earlier) == 0 && fchmod(fileno(file_), earlier.st_mode) != 0) {
+    was_there_ = stat(path_.c_str(), &earlier) == 0;
+    if (was_there_ && fchmod(fileno(file_), earlier.st_mode) != 0) {
       Fail();
     }
-  }
-  if (!is_named_) {
-    Name();
+    // Some file systems do not know fsync.
+    if (fsync(fileno(file_)) != 0 && errno != EINVAL && errno != ENOSYS) {
+      Fail();
+    }
+    if (!is_named_) {
+      Name();
+    }
   }
   const int close_status = std::fclose(file_);
   file_ = nullptr;
   if (close_status != 0) {
     Fail();
   }
-  if (!temporary_path_.empty()) {
-    if (std::rename(temporary_path_.c_str(), path_.c_str()) != 0) {
-      Fail();
-    }
-    temporary_path_.clear();
+}
+
+void OutputFile::Rename() {
+  if (!is_replaced_) {
+    return;
+  }
+  if (std::rename(temporary_path_.c_str(), path_.c_str()) != 0) {
+    Fail();
+  }
+  temporary_path_.clear();
+}
+
+void OutputFile::Place() {
+  // If the file system can exchange the two files, the earlier one is under the temporary name
+  // until the destructor.
+  is_exchanged_ =
+      is_replaced_ && was_there_ &&
+      renameat2(AT_FDCWD, temporary_path_.c_str(), AT_FDCWD, path_.c_str(), RENAME_EXCHANGE) == 0;
+  if (!is_exchanged_) {
+    Rename();
+  }
+  is_placed_ = is_replaced_;
+}
+
+void OutputFile::Undo() noexcept {
+  if (!std::exchange(is_placed_, false)) {
+    return;
+  }
+  if (is_exchanged_) {
+    renameat2(AT_FDCWD, temporary_path_.c_str(), AT_FDCWD, path_.c_str(), RENAME_EXCHANGE);
+  } else if (!was_there_) {
+    unlink(path_.c_str());
   }
 }
 
@@ -168,22 +302,44 @@ void ExpectRoom(const std::string& option, const std::string& path, std::uintmax
   }
 }
 
+SignalsBlocked::SignalsBlocked() noexcept {
+  sigset_t ending;
+  sigemptyset(&ending);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) {
+    sigaddset(&ending, signal);
+  }
+  sigprocmask(SIG_BLOCK, &ending, &before_);
+}
+
+SignalsBlocked::~SignalsBlocked() { sigprocmask(SIG_SETMASK, &before_, nullptr); }
+
 void WriteFiles(const std::filesystem::path& folder,
                 const std::vector<std::pair<std::string, std::string>>& files) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) {
-    throw InputError(folder.string() + ": the folder cannot be made: " + error.message() +
-                     ". Choose another one with --out");
-  }
+  MadeFolder made(folder);
+  const FolderLock lock(folder);
+  const SignalsBlocked blocked;
   std::vector<std::unique_ptr<OutputFile>> outputs;
   for (const auto& [name, text] : files) {
     outputs.push_back(std::make_unique<OutputFile>((folder / name).string()));
     outputs.back()->Write(text);
+    outputs.back()->Flush();
   }
   for (const std::unique_ptr<OutputFile>& output : outputs) {
-    output->Commit();
+    output->Prepare();
   }
+  try {
+    // The first file names the others, so that it comes last.
+    for (auto output = outputs.rbegin(); output != outputs.rend(); ++output) {
+      (*output)->Place();
+    }
+  } catch (...) {
+    for (const std::unique_ptr<OutputFile>& output : outputs) {
+      output->Undo();
+    }
+    throw;
+  }
+  lock.Sync();
+  made.Keep();
 }
 
 void Print(std::string_view text) {

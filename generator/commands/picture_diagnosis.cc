@@ -44,8 +44,9 @@ void DiagnosePictures(Diagnosis& diagnosis) {
     diagnosis.videos.problem = diagnosis.pictures.problem;
     return;
   }
-  const ChildResult child = RunInChild(
-      [](const std::function<void(std::string_view)>& write) { write(Look()); }, kLimit_s);
+  const ChildResult child =
+      RunInChild([](const std::function<void(std::string_view)>& write) { write(Look()); },
+                 {.time_s = kLimit_s});
   const nlohmann::json seen = nlohmann::json::parse(child.output, nullptr, false);
   if (!child.failure.empty() || !seen.is_object()) {
     diagnosis.pictures.problem = "the process that tried " + child.failure;

@@ -511,14 +511,38 @@ VerifyResult VerifyMapped(const MappedModel& mapped, const std::string& plugin,
   return {SurveyIn(form, survey), survey.report.passed()};
 }
 
+const std::string& NameOf(const std::string& model) { return model; }
+const std::string& NameOf(const ModelFiles& files) { return files.front().first; }
+const std::string& NameOf(const MappedModel& mapped) { return mapped.model; }
+
+// A verb whose first argument is a model. Run says in which model MuJoCo met an error.
+template <auto kVerb>
+struct OnModel;
+template <typename Result, typename Model, typename... Arguments,
+          Result (*kVerb)(const Model&, Arguments...)>
+struct OnModel<kVerb> {
+  static Result Run(const Model& model, Arguments... arguments) {
+    try {
+      return kVerb(model, std::forward<Arguments>(arguments)...);
+    } catch (const EngineError& error) {
+      throw InputError(NameOf(model) + ": MuJoCo cannot go on with it: " + error.what() +
+                       ". Mend the model or make it anew with girdle generate");
+    }
+  }
+};
+
 }  // namespace
 }  // namespace girdle
 
 // NOLINTNEXTLINE(readability-identifier-naming): a C symbol
 extern "C" __attribute__((visibility("default"))) const girdle::SimulationModule*
 girdle_simulation_module() {
-  static const girdle::SimulationModule kModule = {
-      girdle::CheckModel, girdle::Simulate, girdle::Render,      girdle::DescribeRenderer,
-      girdle::FfmpegPath, girdle::Verify,   girdle::VerifyMapped};
+  static const girdle::SimulationModule kModule = {girdle::OnModel<girdle::CheckModel>::Run,
+                                                   girdle::OnModel<girdle::Simulate>::Run,
+                                                   girdle::OnModel<girdle::Render>::Run,
+                                                   girdle::DescribeRenderer,
+                                                   girdle::FfmpegPath,
+                                                   girdle::OnModel<girdle::Verify>::Run,
+                                                   girdle::OnModel<girdle::VerifyMapped>::Run};
   return &kModule;
 }

@@ -10,6 +10,8 @@
 #include <string_view>
 #include <system_error>
 
+#include "mjcf/model_elements.h"
+
 namespace girdle {
 namespace {
 
@@ -18,8 +20,10 @@ namespace fs = std::filesystem;
 // Names of files in the order of their file, and the folders in which they may be.
 class FileSearch {
  public:
-  explicit FileSearch(const std::string& model) : top_(fs::path(model).parent_path()) {
-    Read(model);
+  explicit FileSearch(const std::string& model) {
+    VisitElements(model, [this](const tinyxml2::XMLElement& element, const fs::path& file) {
+      Read(element, file.parent_path());
+    });
   }
 
   [[nodiscard]] std::vector<std::string> Found() const {
@@ -47,25 +51,9 @@ class FileSearch {
     fs::path folder;  // of the file that has the name
   };
 
-  void Read(const fs::path& file) {
-    std::error_code unclear;
-    tinyxml2::XMLDocument document;
-    if (!fs::is_regular_file(file, unclear) ||
-        !read_.insert(fs::weakly_canonical(file, unclear)).second ||
-        document.LoadFile(file.c_str()) != tinyxml2::XML_SUCCESS) {
-      return;
-    }
-    folders_.insert(file.parent_path());
-    for (const auto* child = document.RootElement(); child != nullptr;
-         child = child->NextSiblingElement()) {
-      ReadElement(*child, file.parent_path());
-    }
-  }
-
-  void ReadElement(const tinyxml2::XMLElement& element, const fs::path& folder) {
+  void Read(const tinyxml2::XMLElement& element, const fs::path& folder) {
+    folders_.insert(folder);
     const bool is_compiler = element.Name() == std::string_view("compiler");
-    const bool is_model = element.Name() == std::string_view("include") ||
-                          element.Name() == std::string_view("model");
     for (const auto* attribute = element.FirstAttribute(); attribute != nullptr;
          attribute = attribute->Next()) {
       const std::string_view name = attribute->Name();
@@ -74,14 +62,6 @@ class FileSearch {
       } else if (name.starts_with("file")) {  // a cube texture has six: fileright, ...
         names_.push_back({attribute->Value(), folder});
       }
-      if (is_model && name == "file") {
-        Read(top_ / attribute->Value());
-        Read(folder / attribute->Value());
-      }
-    }
-    for (const auto* child = element.FirstChildElement(); child != nullptr;
-         child = child->NextSiblingElement()) {
-      ReadElement(*child, folder);
     }
   }
 
@@ -96,9 +76,7 @@ class FileSearch {
     }
   }
 
-  fs::path top_;
   std::set<fs::path> folders_;  // of the model and of the files that it includes or attaches
-  std::set<fs::path> read_;
   std::set<fs::path> asset_folders_;
   std::vector<Name> names_;
 };

@@ -100,7 +100,8 @@ std::vector<fs::path> PythonsOnPath() {
 }
 
 fs::path PackageOf(const fs::path& python, std::string& problem) {
-  const ChildResult answer = RunProgramInChild(python, {"-I", "-c", kAskPython}, kPythonLimit_s);
+  const ChildResult answer =
+      RunProgramInChild(python, {"-I", "-c", kAskPython}, {.time_s = kPythonLimit_s});
   problem = answer.failure.empty() ? "gave another answer than a whole path" : answer.failure;
   // A script that starts Python may print lines as well.
   std::istringstream lines(answer.output);

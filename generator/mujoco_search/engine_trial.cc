@@ -121,7 +121,7 @@ Trial TrialOf(const std::function<void(const Write&)>& work) {
           WriteLine(write, kProblem, error.what());
         }
       },
-      kLimit_s);
+      {.time_s = kLimit_s});
   Trial trial;
   bool is_done = false;
   std::istringstream lines(child.output);

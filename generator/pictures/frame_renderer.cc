@@ -47,6 +47,62 @@ void ExpectSize(const PictureSize& size) {
   }
 }
 
+// A number of <visual> that the renderer allocates memory by.
+struct VisualLimit {
+  const char* element;
+  const char* attribute;
+  int value;
+  int least;
+  int most;
+};
+
+// Throws InputError about the first number of <visual> that is outside its limits. MuJoCo reports
+// some of them as errors of OpenGL, and allocates memory for others until there is none.
+void ExpectVisual(const mjModel& model, const std::string& name) {
+  constexpr int kMostPixels = 8192;     // a shadow of 256 MB
+  constexpr int kMostSamples = 64;      // of a pixel; no renderer takes more
+  constexpr int kMostSlices = 1000;     // a sphere of a million triangles
+  constexpr int kMostQuads = 100;       // along an edge of a box
+  constexpr int kMostUnused = 100'000;  // a picture has the size of its view instead
+  const auto& quality = model.vis.quality;
+  const auto& global = model.vis.global;
+  for (const VisualLimit& limit : std::to_array<VisualLimit>({
+           {"global", "offwidth", global.offwidth, 1, kMostUnused},
+           {"global", "offheight", global.offheight, 1, kMostUnused},
+           {"quality", "shadowsize", quality.shadowsize, 0, kMostPixels},
+           {"quality", "offsamples", quality.offsamples, 0, kMostSamples},
+           {"quality", "numslices", quality.numslices, 1, kMostSlices},
+           {"quality", "numstacks", quality.numstacks, 1, kMostSlices},
+           {"quality", "numquads", quality.numquads, 1, kMostQuads},
+       })) {
+    if (limit.value < limit.least || limit.value > limit.most) {
+      throw InputError(name + ": <" + limit.element + " " + limit.attribute + "=\"" +
+                       std::to_string(limit.value) + "\"> of its <visual> cannot be drawn. Write " +
+                       std::to_string(limit.least) + " to " + std::to_string(limit.most) +
+                       ", or omit it");
+    }
+  }
+}
+
+// Throws InputError if the textures of a model take too much memory. OpenGL and its programs hold
+// about four copies of them.
+void ExpectTextures(const mjModel& model, const std::string& name) {
+  constexpr mjtSize kBytesPerMegabyte = 1'000'000;
+  constexpr mjtSize kMost_MB = 220;
+  if (model.ntexdata > kMost_MB * kBytesPerMegabyte) {
+    throw InputError(name + ": its textures have " +
+                     std::to_string(model.ntexdata / kBytesPerMegabyte) +
+                     " MB of pixels, more than the " + std::to_string(kMost_MB) +
+                     " that can be drawn. Make them smaller");
+  }
+}
+
+// Returns the meaning of an error number of OpenGL.
+std::string GlErrorText(int error) {
+  constexpr int kOutOfMemory = 0x0505;
+  return error == kOutOfMemory ? "has no memory left" : "refuses to draw";
+}
+
 // A box around points in the world.
 class Box {
  public:
@@ -211,6 +267,8 @@ ModelPointer CheckedCopy(const mjModel& model, const std::string& name, const Vi
     throw InputError(name +
                      ": has no skin to show. Show its bones, or make a model that has a skin");
   }
+  ExpectVisual(model, name);
+  ExpectTextures(model, name);
   ModelPointer copy(mj_copyModel(nullptr, &model));
   if (copy == nullptr) {
     throw std::bad_alloc();
@@ -248,7 +306,14 @@ FrameRenderer::FrameRenderer(const mjModel& model, std::string name, const View&
   mjv_makeScene(model_.get(), scene_.get(), kMostSceneGeoms);
   renderer_.reset(new mjrContext);
   mjr_defaultContext(renderer_.get());
-  mjr_makeContext(model_.get(), renderer_.get(), mjFONTSCALE_100);
+  try {
+    mjr_makeContext(model_.get(), renderer_.get(), mjFONTSCALE_100);
+  } catch (const EngineError& error) {
+    FailDrawing(error.what());
+  }
+  if (const std::string warned = EngineWatch::TakeWarnings(); !warned.empty()) {
+    FailDrawing(warned);
+  }
   mjr_setBuffer(mjFB_OFFSCREEN, renderer_.get());
   if (renderer_->currentBuffer != mjFB_OFFSCREEN) {
     throw InputError("cannot draw pictures: " + context_.Description() +
@@ -270,6 +335,13 @@ FrameRenderer::~FrameRenderer() {
   }
 }
 
+void FrameRenderer::FailDrawing(const std::string& reason) const {
+  throw InputError(name_ + ": cannot be drawn with " + context_.Description() +
+                   ", which lacks room or support for its textures and shadows, or for this size "
+                   "of a picture (" +
+                   reason + "). Lower them, or set " + kGlVariable + "=osmesa");
+}
+
 // Aims at the middle of a box around all poses of the bodies, from where all its corners are
 // visible.
 void FrameRenderer::AimFrom(std::size_t direction) {
@@ -289,6 +361,10 @@ void FrameRenderer::AimFrom(std::size_t direction) {
 
 void FrameRenderer::UpdateScene(mjData& data) {
   mjv_updateScene(model_.get(), &data, &option_, nullptr, &camera_, mjCAT_ALL, scene_.get());
+  if (scene_->ngeom >= kMostSceneGeoms) {
+    throw InputError(name_ + ": has more to draw than " + std::to_string(kMostSceneGeoms) +
+                     " geoms, sites and tendons. Remove some");
+  }
   if (show_ == Show::kSkin) {
     HideBones();
   }
@@ -365,11 +441,11 @@ Picture FrameRenderer::Draw(mjData& data) {
   const std::size_t row = 3 * static_cast<std::size_t>(view_.size.width);
   picture.rgb.resize(row * static_cast<std::size_t>(view_.size.height));
   mjr_readPixels(picture.rgb.data(), nullptr, viewport, renderer_.get());
-  EngineWatch::ExpectNoWarning(name_ + ": drawing a picture");
+  if (const std::string warned = EngineWatch::TakeWarnings(); !warned.empty()) {
+    FailDrawing(warned);
+  }
   if (const int error = mjr_getError(); error != 0) {
-    throw InputError("cannot draw pictures: OpenGL reports error " + std::to_string(error) + " (" +
-                     context_.Description() + "). Choose a smaller picture, or set " + kGlVariable +
-                     "=osmesa");
+    FailDrawing("OpenGL " + GlErrorText(error));
   }
   // OpenGL's rows go from the bottom to the top.
   for (auto top = picture.rgb.begin(), bottom = picture.rgb.end() - static_cast<long>(row);

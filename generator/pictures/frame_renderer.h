@@ -32,7 +32,8 @@ class FrameRenderer {
  public:
   /// `name` is the model's name in messages. Throws InputError if the view names an unknown camera,
   /// wants a skin of a model without one, or has a size outside the limits of view.h. Also throws
-  /// if this machine cannot draw without a screen.
+  /// if the model's <visual> has a number that cannot be drawn, or if this machine cannot draw it
+  /// without a screen.
   FrameRenderer(const mjModel& model, std::string name, const View& view);
   FrameRenderer(const FrameRenderer&) = delete;
   FrameRenderer& operator=(const FrameRenderer&) = delete;
@@ -51,6 +52,8 @@ class FrameRenderer {
     void operator()(mjrContext* renderer) const noexcept;
   };
 
+  /// Throws InputError that OpenGL cannot draw the model for this reason.
+  [[noreturn]] void FailDrawing(const std::string& reason) const;
   void AimFrom(std::size_t direction);
   void UpdateScene(mjData& data);
   void HideBones();

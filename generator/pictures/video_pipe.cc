@@ -70,8 +70,11 @@ std::vector<std::string> Arguments(const std::filesystem::path& ffmpeg, const Pi
   for (std::string& word : EncoderOptions(ffmpeg)) {
     words.push_back(std::move(word));
   }
+  // Encoders share a frame out among their threads, by default one or more for each processor. A
+  // fixed number gives equal frames equal bytes on any machine.
+  words.insert(words.end(), {"-threads", "4"});
   // The output is named in /dev/fd, because a second pass opens it again to move the index to the
-  // front. The encoder's version is left out, so that equal frames give equal bytes.
+  // front. The encoder's version is left out, so that it does not change the bytes either.
   for (const char* word : {"-pix_fmt", "yuv420p", "-movflags", "+faststart", "-fflags", "+bitexact",
                            "-flags:v", "+bitexact", "-f", "mp4"}) {
     words.emplace_back(word);

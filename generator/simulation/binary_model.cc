@@ -19,6 +19,7 @@
 #include "child_programs/child_process.h"
 #include "names/model_names.h"
 #include "simulation/engine.h"
+#include "simulation/xml_model.h"
 #include "text/input_error.h"
 
 namespace girdle {
@@ -55,6 +56,12 @@ mjModel ReadSizes(const std::string& path, std::ifstream& in) {
   if (!in || static_cast<std::uintmax_t>(mj_sizeModel(&sizes)) !=
                  std::filesystem::file_size(path, ignored)) {
     throw InputError(path + ": is cut short or damaged" + kFix);
+  }
+  if (static_cast<double>(sizes.narena) > kMostArena) {
+    throw InputError(path + ": reserves " + std::to_string(sizes.narena) +
+                     " bytes for its contacts and constraints, which is too much memory. Save it "
+                     "again with <size memory=\"" +
+                     kMostArenaText + "\"> or less");
   }
   return sizes;
 }
@@ -126,7 +133,7 @@ void ExpectSurvived(const std::string& path) {
           return;  // the caller loads the file next and reports the error
         }
       },
-      kLimit_s);
+      {.time_s = kLimit_s});
   if (tried.is_late) {
     throw InputError(path + ": cannot be told from a damaged one: a process that stepped it " +
                      std::to_string(kSteps) + " times " + tried.failure + kFix);

@@ -17,6 +17,7 @@
 #include "names/model_fault_mark.h"
 #include "names/model_names.h"
 #include "simulation/binary_model.h"
+#include "simulation/xml_model.h"
 #include "text/input_error.h"
 
 namespace girdle {
@@ -47,23 +48,15 @@ void OnWarning(const char* message) {
 // If MuJoCo gets no memory, the model is not at fault. If the model's own arena is too small,
 // MuJoCo's message is another one, and the model is at fault.
 void ThrowIfOutOfMemory(std::string_view message) {
-  if (message.find("Could not allocate memory") != std::string_view::npos) {
+  if (message.find("Could not allocate memory") != std::string_view::npos ||
+      message.find("memory allocation failed") != std::string_view::npos) {
     throw std::bad_alloc();
   }
 }
 
 [[noreturn]] void OnError(const char* message) {
   ThrowIfOutOfMemory(message);
-  throw InputError(std::string("MuJoCo: ") + message);
-}
-
-std::string TakeWarnings() {
-  const std::lock_guard lock(warnings_mutex);
-  std::string text;
-  for (const std::string& warning : std::exchange(warnings, {})) {
-    text += (text.empty() ? "" : "; ") + warning;
-  }
-  return text;
+  throw EngineError(message);
 }
 
 // Returns the lines of a text on one line, each once. MuJoCo tries a plugin several times and
@@ -97,13 +90,21 @@ std::string WithoutStop(std::string text) {
 
 void ExpectLoaded(const ModelPointer& model, const std::string& name, const std::string& reason) {
   ThrowIfOutOfMemory(reason);
-  const std::string warned = TakeWarnings();
+  const std::string warned = EngineWatch::TakeWarnings();
   if (model == nullptr || !warned.empty()) {
     throw InputError(
         name + ": MuJoCo cannot load it: " + WithoutStop(DistinctLines(reason + "\n" + warned)) +
         ". " + (IsBinary(name) ? "Give its XML" : "Correct the model") +
         " or make it anew with girdle generate");
   }
+}
+
+// Loads a model from an MJCF file on disk or in `files`.
+ModelPointer LoadXml(const std::string& path, const mjVFS* files) {
+  std::array<char, kErrorSize> error{};
+  ModelPointer model(mj_loadXML(path.c_str(), files, error.data(), kErrorSize));
+  ExpectLoaded(model, path, error.data());
+  return model;
 }
 
 }  // namespace
@@ -118,6 +119,15 @@ EngineWatch::EngineWatch()
 EngineWatch::~EngineWatch() {
   mju_user_error = previous_error_;
   mju_user_warning = previous_warning_;
+}
+
+std::string EngineWatch::TakeWarnings() {
+  const std::lock_guard lock(warnings_mutex);
+  std::string text;
+  for (const std::string& warning : std::exchange(warnings, {})) {
+    text += (text.empty() ? "" : "; ") + warning;
+  }
+  return text;
 }
 
 void EngineWatch::ExpectNoWarning(const std::string& doing) {
@@ -141,7 +151,7 @@ void LoadPlugin(const std::string& path) {
     // The path must have a folder: a mere name is searched for among the system's libraries.
     mj_loadPluginLibrary(std::filesystem::absolute(path).c_str());
   } catch (const InputError& error) {
-    throw InputError(path + ": " + error.what() + kFix);
+    throw InputError(path + ": MuJoCo cannot load it as a plugin: " + error.what() + kFix);
   }
   EngineWatch::ExpectNoWarning(path);
   if (mjp_getPlugin(kPluginName, nullptr) == nullptr) {
@@ -157,18 +167,20 @@ ModelPointer LoadModel(const std::string& path) {
         (std::filesystem::exists(path, ignored) ? ": is not a regular file" : ": no such file") +
         ". Make a model with girdle generate --out FOLDER and name its scene.xml");
   }
+  if (path.find('\\') != std::string::npos) {
+    throw InputError(path + ": MuJoCo takes a backslash in a path for a slash. Rename it");
+  }
   if (IsBinary(path)) {
     ExpectLoadable(path);
+    ModelPointer model(mj_loadModel(path.c_str(), nullptr));
+    ExpectLoaded(model, path, "");
+    return model;
   }
-  std::array<char, kErrorSize> error{};
-  ModelPointer model(IsBinary(path) ? mj_loadModel(path.c_str(), nullptr)
-                                    : mj_loadXML(path.c_str(), nullptr, error.data(), kErrorSize));
-  ExpectLoaded(model, path, error.data());
-  return model;
+  ExpectLoadableXml(path, [&path] { static_cast<void>(LoadXml(path, nullptr)); });
+  return LoadXml(path, nullptr);
 }
 
 ModelPointer LoadModel(const ModelFiles& files) {
-  std::array<char, kErrorSize> error{};
   mjVFS vfs;
   mj_defaultVFS(&vfs);
   // The VFS is freed even if an error of MuJoCo becomes an exception.
@@ -178,10 +190,7 @@ ModelPointer LoadModel(const ModelFiles& files) {
       throw InputError(name + ": MuJoCo cannot take the file");
     }
   }
-  const std::string& name = files.front().first;
-  ModelPointer model(mj_loadXML(name.c_str(), &vfs, error.data(), kErrorSize));
-  ExpectLoaded(model, name, error.data());
-  return model;
+  return LoadXml(files.front().first, &vfs);
 }
 
 DataPointer MakeData(const mjModel& model) {

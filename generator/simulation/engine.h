@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "text/input_error.h"
+
 namespace girdle {
 
 struct ModelDeleter {
@@ -22,8 +24,14 @@ struct DataDeleter {
 using ModelPointer = std::unique_ptr<mjModel, ModelDeleter>;
 using DataPointer = std::unique_ptr<mjData, DataDeleter>;
 
+/// An error that MuJoCo reports in its own words, which do not say what the user can change. Who
+/// calls MuJoCo says in which model it happened, and what to do.
+class EngineError : public InputError {
+  using InputError::InputError;
+};
+
 /// While this object lives, errors of MuJoCo become exceptions, and its warnings are collected. An
-/// error is InputError, or std::bad_alloc if there is not enough memory. A process may have one
+/// error is EngineError, or std::bad_alloc if there is not enough memory. A process may have one
 /// such object at a time.
 class EngineWatch {
  public:
@@ -31,6 +39,9 @@ class EngineWatch {
   EngineWatch(const EngineWatch&) = delete;
   EngineWatch& operator=(const EngineWatch&) = delete;
   ~EngineWatch();
+
+  /// Returns MuJoCo's warnings since the last call, or an empty text.
+  static std::string TakeWarnings();
 
   /// Throws InputError with the warnings since the last call, if there were any. `doing` describes
   /// what was being done.
@@ -50,7 +61,9 @@ class EngineWatch {
 /// does not support this MuJoCo.
 void LoadPlugin(const std::string& path);
 
-/// Loads a model from an MJCF file or a binary MJB file. Throws InputError with MuJoCo's reason.
+/// Loads a model from an MJCF file or a binary MJB file. Throws InputError with MuJoCo's reason,
+/// and if the model is too large (xml_model.h) or would crash this process (binary_model.h). Call
+/// this only while this process has one thread.
 [[nodiscard]] ModelPointer LoadModel(const std::string& path);
 
 /// Files of a model that is not on disk: name and text.

@@ -3,25 +3,24 @@
 
 #include "skin/mesh_file.h"
 
-#include <assimp/postprocess.h>
-#include <assimp/scene.h>
-
 #include <algorithm>
 #include <array>
-#include <assimp/Importer.hpp>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <filesystem>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <limits>
 #include <map>
+#include <new>
+#include <string_view>
 #include <utility>
+#include <vector>
 
-#include "skin/gltf_nodes.h"
+#include "child_programs/child_process.h"
+#include "skin/mesh_parser.h"
 #include "text/input_error.h"
 #include "text/number_text.h"
-#include "text/small_letters.h"
-#include "text/text_file.h"
 
 namespace girdle {
 namespace {
@@ -31,64 +30,6 @@ constexpr double kSmallestBody_m = 0.2;
 constexpr double kLargestBody_m = 4;
 // A triangle of less height than this has no area [m].
 constexpr double kNoHeight_m = 1e-9;
-
-// Collects triangles up to the limits. Vertices at one place become one vertex.
-class Collector {
- public:
-  explicit Collector(const std::string& path) : path_(path) {}
-
-  // Recursion is limited, because FlawOfGltfNodes limits the depth of nodes.
-  void AppendNode(const aiScene& scene, const aiNode& node, const aiMatrix4x4& parent) {
-    const aiMatrix4x4 transform = parent * node.mTransformation;
-    for (unsigned i = 0; i < node.mNumMeshes; ++i) {
-      AppendMesh(*scene.mMeshes[node.mMeshes[i]], transform);
-    }
-    for (unsigned i = 0; i < node.mNumChildren; ++i) {
-      AppendNode(scene, *node.mChildren[i], transform);
-    }
-  }
-
-  TriangleMesh mesh;
-
- private:
-  void AppendMesh(const aiMesh& part, const aiMatrix4x4& transform) {
-    // A mirroring transform turns faces inside out.
-    const bool is_mirrored = transform.Determinant() < 0;
-    for (unsigned i = 0; i < part.mNumFaces; ++i) {
-      const aiFace& face = part.mFaces[i];
-      if (face.mNumIndices != 3) continue;
-      if (mesh.triangles.size() == kMostMeshTriangles) FailTooLarge(kMostMeshTriangles, "faces");
-      Triangle triangle{};
-      for (unsigned corner = 0; corner < 3; ++corner) {
-        triangle[corner] = VertexAt(transform * part.mVertices[face.mIndices[corner]]);
-      }
-      if (is_mirrored) std::swap(triangle[1], triangle[2]);
-      mesh.triangles.push_back(triangle);
-    }
-  }
-
-  int VertexAt(const aiVector3D& place) {
-    if (!std::isfinite(place.x) || !std::isfinite(place.y) || !std::isfinite(place.z)) {
-      throw InputError(path_ + ": a vertex of face " + std::to_string(mesh.triangles.size()) +
-                       " has a coordinate that is not a finite number. Correct or remove it");
-    }
-    const auto [known, is_new] =
-        numbers_.try_emplace({place.x, place.y, place.z}, static_cast<int>(numbers_.size()));
-    if (is_new) {
-      if (mesh.vertices_m.size() == kMostMeshVertices) FailTooLarge(kMostMeshVertices, "vertices");
-      mesh.vertices_m.emplace_back(place.x, place.y, place.z);
-    }
-    return known->second;
-  }
-
-  [[noreturn]] void FailTooLarge(std::size_t most, const std::string& kind) const {
-    throw InputError(path_ + ": has more than " + std::to_string(most) + " " + kind +
-                     ". Give one with fewer, such as a decimated one");
-  }
-
-  const std::string& path_;
-  std::map<std::array<ai_real, 3>, int> numbers_;
-};
 
 std::string PlaceText(const Vector3& place_m) {
   return "(" + SignificantText(place_m.x, 4) + ", " + SignificantText(place_m.y, 4) + ", " +
@@ -154,38 +95,105 @@ std::optional<std::string> FlawOfFaces(const TriangleMesh& mesh) {
   return std::nullopt;
 }
 
-// Whether a path ends in a suffix of glTF, in letters of either case, as Assimp accepts.
-bool HasGltfSuffix(const std::string& path) {
-  const std::string suffix = InSmallLetters(std::filesystem::path(path).extension().string());
-  return suffix == ".glb" || suffix == ".gltf";
+// Kinds of the child's answer, its first byte.
+constexpr char kMeshFollows = 'm';
+constexpr char kErrorFollows = 'e';
+constexpr char kNoMemory = 'n';
+
+// Longest time to read the largest mesh [s], several times what it takes.
+constexpr int kLongestReading_s = 10;
+// Most memory of the process that reads. The largest mesh takes about half of it.
+constexpr std::size_t kMostMemory = 300'000'000;
+
+template <typename T>
+void AppendBytes(const std::vector<T>& values, std::string& bytes) {
+  bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
 }
 
-[[noreturn]] void FailReading(const std::string& path, const std::string& reason) {
-  throw InputError(path + ": cannot be read as a mesh: " + reason +
-                   ". Export it again as .glb or .obj");
+// Takes `count` values from the front of `bytes`, which has them.
+template <typename T>
+std::vector<T> TakeValues(std::size_t count, std::string_view& bytes) {
+  std::vector<T> values(count);
+  if (count > 0) {
+    std::memcpy(values.data(), bytes.data(), count * sizeof(T));
+    bytes.remove_prefix(count * sizeof(T));
+  }
+  return values;
+}
+
+// A mesh as the child writes it: the numbers of vertices and triangles, then both.
+using MeshCounts = std::array<std::uint64_t, 2>;
+
+std::string BytesOf(const TriangleMesh& mesh) {
+  std::string bytes(1, kMeshFollows);
+  AppendBytes(std::vector<std::uint64_t>{mesh.vertices_m.size(), mesh.triangles.size()}, bytes);
+  AppendBytes(mesh.vertices_m, bytes);
+  AppendBytes(mesh.triangles, bytes);
+  return bytes;
+}
+
+// Returns the mesh of BytesOf without its first byte; nothing if the bytes are no mesh. The file
+// may have made the child write anything.
+std::optional<TriangleMesh> MeshFrom(std::string_view bytes) {
+  MeshCounts counts{};
+  if (bytes.size() < sizeof(counts)) return std::nullopt;
+  std::memcpy(counts.data(), bytes.data(), sizeof(counts));
+  bytes.remove_prefix(sizeof(counts));
+  const auto [vertices, triangles] = counts;
+  if (vertices > kMostMeshVertices || triangles > kMostMeshTriangles ||
+      bytes.size() != vertices * sizeof(Vector3) + triangles * sizeof(Triangle)) {
+    return std::nullopt;
+  }
+  TriangleMesh mesh{TakeValues<Vector3>(vertices, bytes), TakeValues<Triangle>(triangles, bytes)};
+  const bool is_finite = std::ranges::all_of(mesh.vertices_m, [](const Vector3& p_m) {
+    return std::isfinite(p_m.x) && std::isfinite(p_m.y) && std::isfinite(p_m.z);
+  });
+  const bool is_within = std::ranges::all_of(mesh.triangles, [&](const Triangle& triangle) {
+    return std::ranges::all_of(triangle, [&](int vertex) {
+      return vertex >= 0 && static_cast<std::size_t>(vertex) < mesh.vertices_m.size();
+    });
+  });
+  return is_finite && is_within ? std::optional(std::move(mesh)) : std::nullopt;
+}
+
+// Returns the child's answer about a file. `place` is its whole path, because the child is in
+// another folder.
+std::string AnswerAbout(const std::string& place, const std::string& name) {
+  try {
+    return BytesOf(ParseMesh(place, name));
+  } catch (const InputError& error) {
+    return kErrorFollows + std::string(error.what());
+  } catch (const std::bad_alloc&) {
+    return {kNoMemory};
+  }
 }
 
 }  // namespace
 
 TriangleMesh ReadMeshFile(const std::string& path) {
-  // Called for its messages: Assimp's message about a missing file is less clear.
-  static_cast<void>(OpenTextFile(path));
-  if (HasGltfSuffix(path)) {
-    if (const std::optional<std::string> flaw = FlawOfGltfNodes(path)) FailReading(path, *flaw);
+  ExpectMeshFile(path);
+  const std::string place = std::filesystem::absolute(path);
+  constexpr std::size_t kMostOutput = 1 + sizeof(MeshCounts) + kMostMeshVertices * sizeof(Vector3) +
+                                      kMostMeshTriangles * sizeof(Triangle);
+  const ChildResult child = RunInChild(
+      [&](const auto& write) { write(AnswerAbout(place, path)); },
+      {.time_s = kLongestReading_s, .output_bytes = kMostOutput, .memory_bytes = kMostMemory});
+  if (!child.failure.empty()) {
+    FailReadingMesh(path, (child.is_late ? "it is too large or damaged: a process that read it "
+                                         : "it is damaged: a process that read it ") +
+                              child.failure);
   }
-  Assimp::Importer importer;
-  const aiScene* scene = importer.ReadFile(path, aiProcess_Triangulate);
-  if (scene == nullptr || scene->mRootNode == nullptr) {
-    std::string reason = importer.GetErrorString();
-    reason.erase(reason.find_last_not_of(". \n") + 1);
-    FailReading(path, reason + ", the file may be cut short");
+  const std::string_view answer = child.output;
+  const char kind = answer.empty() ? kErrorFollows : answer.front();
+  if (kind == kNoMemory) {
+    FailReadingMesh(path,
+                    "it is too large or damaged: reading it takes more than 300 MB of memory");
   }
-  Collector collector(path);
-  collector.AppendNode(*scene, *scene->mRootNode, aiMatrix4x4());
-  if (collector.mesh.triangles.empty()) {
-    throw InputError(path + ": has no triangles. Export the body's faces");
-  }
-  return std::move(collector.mesh);
+  if (kind == kErrorFollows && answer.size() > 1) throw InputError(std::string(answer.substr(1)));
+  std::optional<TriangleMesh> mesh =
+      kind == kMeshFollows ? MeshFrom(answer.substr(1)) : std::nullopt;
+  if (!mesh) FailReadingMesh(path, "it is damaged: a process that read it gave no mesh");
+  return std::move(*mesh);
 }
 
 std::optional<std::string> FlawOfSkin(const TriangleMesh& mesh) {

@@ -23,6 +23,10 @@ inline constexpr std::size_t kMostMeshTriangles = 2 * kMostMeshVertices;
 /// no triangles, if a coordinate is not finite, or if it has more than kMostMeshVertices or
 /// kMostMeshTriangles. It stops at the first one too many; a part that is used several times counts
 /// each time.
+///
+/// The file and those that it names must be regular files. They are read in a child process with
+/// little memory and time (child_process.h), because the library that reads them crashes on some
+/// damaged files. Call this only while this process has one thread.
 [[nodiscard]] TriangleMesh ReadMeshFile(const std::string& path);
 
 /// Returns the reason why a mesh in metres cannot be the skin of a person, with the fix, or nothing

@@ -14,6 +14,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <new>
 #include <string>
 #include <thread>
 
@@ -26,7 +27,7 @@ constexpr int kAmple_s = 30;
 
 // Runs a script of the shell.
 ChildResult RunShell(const std::string& script, int limit_s = kAmple_s) {
-  return RunProgramInChild("/bin/sh", {"-c", script}, limit_s);
+  return RunProgramInChild("/bin/sh", {"-c", script}, {.time_s = limit_s});
 }
 
 // A file that is not there, for children to write.
@@ -50,7 +51,8 @@ class RunInChildMarked : public testing::Test {
 TEST(RunInChild, ReturnsWhatTheChildWrote) {
   // More than a pipe holds at once.
   const std::string text(300000, 'x');
-  const ChildResult child = RunInChild([&](const auto& write) { write(text); }, kAmple_s);
+  const ChildResult child =
+      RunInChild([&](const auto& write) { write(text); }, {.time_s = kAmple_s});
   EXPECT_EQ(child.output, text);
   EXPECT_EQ(child.failure, "");
 }
@@ -64,7 +66,8 @@ TEST(RunInChild, ReturnsWhatAProgramPrintsThatTheChildBecomes) {
 }
 
 TEST(RunProgramInChild, SaysThatAProgramCannotBeRun) {
-  EXPECT_EQ(RunProgramInChild("/nowhere/program", {}, kAmple_s).failure, "ended with status 127");
+  EXPECT_EQ(RunProgramInChild("/nowhere/program", {}, {.time_s = kAmple_s}).failure,
+            "ended with status 127");
 }
 
 TEST(RunInChild, OutlivesAChildThatCrashesAndKeepsWhatItWrote) {
@@ -74,7 +77,7 @@ TEST(RunInChild, OutlivesAChildThatCrashesAndKeepsWhatItWrote) {
         std::signal(SIGSEGV, SIG_DFL);
         std::raise(SIGSEGV);
       },
-      kAmple_s);
+      {.time_s = kAmple_s});
   EXPECT_EQ(child.output, "before");
   EXPECT_EQ(child.failure, "was ended by a signal: Segmentation fault");
 }
@@ -98,7 +101,7 @@ TEST(RunInChild, SaysTheSignalThatThisProcessHasBlocked) {
   sigemptyset(&blocked);
   sigaddset(&blocked, SIGABRT);
   sigprocmask(SIG_BLOCK, &blocked, &before);
-  const ChildResult child = RunInChild([](const auto&) { std::abort(); }, kAmple_s);
+  const ChildResult child = RunInChild([](const auto&) { std::abort(); }, {.time_s = kAmple_s});
   sigprocmask(SIG_SETMASK, &before, nullptr);
   EXPECT_EQ(child.failure, "was ended by a signal: Aborted");
 }
@@ -119,7 +122,7 @@ TEST(RunInChild, SaysThatThereIsNoRoomForTheChild) {
     for (int tries = 0; tries < kMostTries;) {
       setrlimit(RLIMIT_NPROC, &processes);
       try {
-        static_cast<void>(RunInChild([](const auto&) {}, kAmple_s));
+        static_cast<void>(RunInChild([](const auto&) {}, {.time_s = kAmple_s}));
         processes.rlim_cur = 1;
         ++tries;
       } catch (const InputError& error) {
@@ -140,19 +143,19 @@ TEST(RunInChild, SaysThatThereIsNoRoomForTheChild) {
 }
 
 TEST(RunInChild, SaysTheStatusOfAChildThatFails) {
-  const ChildResult child = RunInChild([](const auto&) { _exit(7); }, kAmple_s);
+  const ChildResult child = RunInChild([](const auto&) { _exit(7); }, {.time_s = kAmple_s});
   EXPECT_EQ(child.failure, "ended with status 7");
   EXPECT_FALSE(child.is_late);
 }
 
 TEST(RunInChild, SaysTheStatusWhereThisProcessIgnoresItsChildren) {
   std::signal(SIGCHLD, SIG_IGN);
-  const ChildResult child = RunInChild([](const auto&) { _exit(7); }, kAmple_s);
+  const ChildResult child = RunInChild([](const auto&) { _exit(7); }, {.time_s = kAmple_s});
   EXPECT_EQ(child.failure, "ended with status 7");
 }
 
 TEST(RunInChild, NoExceptionOfTheChildLeavesIt) {
-  const ChildResult child = RunInChild([](const auto&) { throw 1; }, kAmple_s);
+  const ChildResult child = RunInChild([](const auto&) { throw 1; }, {.time_s = kAmple_s});
   EXPECT_NE(child.failure, "");
 }
 
@@ -172,9 +175,36 @@ TEST(RunInChild, EndsAChildThatClosesItsOutputAndGoesOn) {
 
 TEST(RunInChild, EndsAChildThatWritesWithoutEnd) {
   const ChildResult child = RunShell("exec yes");
-  EXPECT_EQ(child.failure, "wrote more than a megabyte");
+  EXPECT_EQ(child.failure, "wrote more than 1 MB");
   EXPECT_LT(child.output.size(), 2'000'000U);
 }
+
+TEST(RunInChild, ReturnsMoreThanAMegabyteWhereItIsAskedTo) {
+  const std::string text(3'000'000, 'x');
+  const ChildResult child = RunInChild([&](const auto& write) { write(text); },
+                                       {.time_s = kAmple_s, .output_bytes = text.size()});
+  EXPECT_EQ(child.failure, "");
+  EXPECT_TRUE(child.output == text);
+}
+
+// AddressSanitizer leaves no memory to limit.
+#ifndef __SANITIZE_ADDRESS__
+TEST(RunInChild, GivesTheChildNoMoreMemoryThanItMayHave) {
+  constexpr std::size_t kMost = 200'000'000;
+  const ChildResult child = RunInChild(
+      [](const auto& write) {
+        try {
+          const std::string text(2 * kMost, 'x');
+          write(text.substr(0, 1));
+        } catch (const std::bad_alloc&) {
+          write("none");
+        }
+      },
+      {.time_s = kAmple_s, .memory_bytes = kMost});
+  EXPECT_EQ(child.failure, "");
+  EXPECT_EQ(child.output, "none");
+}
+#endif
 
 TEST(RunInChild, WaitsForNoneThatTheChildLeavesBehind) {
   const ChildResult child = RunShell("sleep 600 & echo done");
@@ -205,7 +235,7 @@ TEST(RunInChild, OutlivesAChildThatStopsItsParent) {
 
 TEST(RunInChild, NothingThatTheChildDoesIsDoneHere) {
   int value = 1;
-  const ChildResult child = RunInChild([&](const auto&) { value = 2; }, kAmple_s);
+  const ChildResult child = RunInChild([&](const auto&) { value = 2; }, {.time_s = kAmple_s});
   EXPECT_EQ(child.failure, "");
   EXPECT_EQ(value, 1);
 }

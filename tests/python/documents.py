@@ -36,6 +36,7 @@ AFTER_THE_BUILD = """(started_in=$PWD; eval "$(sed -n '/^build.release.girdle ge
 STAND_INS = {
     "scripts/run": AFTER_THE_BUILD,
     "scripts/test": ":",
+    "scripts/test -R faults": ":",
     "scripts/test -R solve": ":",
     "scripts/lint --fix": ":",
     "scripts/setup --python": ":",

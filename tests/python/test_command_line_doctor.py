@@ -549,7 +549,7 @@ def test_a_python_reads_no_module_of_the_current_folder(
     [
         ("exit 3", "ended with status 3"),
         ("exec >&-; sleep 600", "did not end within 10 s"),
-        ("exec yes /aaaaaaaaaaaaaaaaaaaaaaaa", "wrote more than a megabyte"),
+        ("exec yes /aaaaaaaaaaaaaaaaaaaaaaaa", "wrote more than 1 MB"),
         ("kill -9 $PPID; sleep 600", "was ended by a signal: Killed"),
     ],
 )
@@ -583,7 +583,7 @@ def test_nothing_that_a_python_leaves_behind_goes_on(doctor: Doctor, tmp_path: P
     ("code", "problem"),
     [
         ("kill(getppid(), SIGKILL); pause();", "was ended by a signal: Killed"),
-        ("for (;;) puts(__FILE__);", "wrote more than a megabyte"),
+        ("for (;;) puts(__FILE__);", "wrote more than 1 MB"),
         ("_exit(0);", "ended the process that tried it"),
     ],
 )

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import functools
 import io
 import json
 import os
@@ -350,6 +351,25 @@ def film(
 def test_the_index_of_a_video_stands_in_front(film: Film) -> None:
     content = (film.folder / "a.mp4").read_bytes()
     assert 0 < content.index(b"moov") < content.index(b"mdat")
+
+
+def test_a_video_has_the_same_bytes_on_one_processor_and_on_all(
+    program: Path, generated: Path, tmp_path: Path
+) -> None:
+    processors = os.sched_getaffinity(0)
+    if len(processors) == 1:
+        pytest.skip("this machine has one processor")
+    scene = generated / SCENE_FILE
+    words = ("simulate", scene, "--elevation", "0:90", "--seconds", "0.3", *SMALL, "--out-video")
+    for name, allowed in (("one.mp4", {min(processors)}), ("all.mp4", processors)):
+        subprocess.run(
+            [program, *words, name],
+            cwd=tmp_path,
+            preexec_fn=functools.partial(os.sched_setaffinity, 0, allowed),
+            capture_output=True,
+            check=True,
+        )
+    assert (tmp_path / "one.mp4").read_bytes() == (tmp_path / "all.mp4").read_bytes()
 
 
 def test_a_video_is_written_in_place_of_the_one_before(film: Film) -> None:

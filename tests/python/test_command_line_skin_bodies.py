@@ -618,3 +618,43 @@ def test_a_folder_of_somebody_else_is_left_alone(tmp_path: Path) -> None:
     assert finished.returncode == REFUSED
     assert "was not made by this script" in finished.stderr
     assert [path.name for path in tmp_path.iterdir()] == ["mine.txt"]
+
+
+MARK = "A body fetched by scripts/fetch_body of Girdle, which may remove this folder."
+NO_NETWORK = {"PIP_INDEX_URL": "http://127.0.0.1:1/", "PIP_RETRIES": "0"}
+
+
+@pytest.mark.parametrize(
+    "stamp",
+    ["", f"{'0' * 64}  -\n", f"x\n{MARK}\n", f"{MARK} x\n"],
+    ids=["empty", "of another script", "in a later line", "longer"],
+)
+def test_a_folder_with_a_stamp_of_somebody_else_is_left_alone(tmp_path: Path, stamp: str) -> None:
+    (tmp_path / ".stamp").write_text(stamp)
+    finished = fetch(tmp_path, **NO_NETWORK)
+    assert finished.returncode == REFUSED
+    assert "is there and was not made by this script" in finished.stderr
+    assert (tmp_path / ".stamp").read_text() == stamp
+
+
+def test_a_body_with_a_file_of_somebody_else_is_left_alone(tmp_path: Path) -> None:
+    (tmp_path / ".stamp").write_text(f"{MARK}\nearlier\nLICENSE.md\n")
+    (tmp_path / "LICENSE.md").write_text("fetched")
+    (tmp_path / "notes").mkdir()
+    (tmp_path / "notes" / "mine.txt").write_text("mine")
+    finished = fetch(tmp_path, **NO_NETWORK)
+    assert finished.returncode == REFUSED
+    assert "has notes/mine.txt, which was not made by this script" in finished.stderr
+    assert (tmp_path / "notes" / "mine.txt").read_text() == "mine"
+
+
+def test_an_earlier_body_of_this_script_is_fetched_again(tmp_path: Path) -> None:
+    """It stays until the new one is there."""
+    body = tmp_path / "body"
+    body.mkdir()
+    (body / ".stamp").write_text(f"{MARK}\nearlier\nbase.obj\n")
+    (body / "base.obj").write_text("fetched")
+    finished = fetch(body, **NO_NETWORK)
+    assert finished.returncode == 1
+    assert "Without a network" in finished.stderr
+    assert (body / "base.obj").read_text() == "fetched"

@@ -6,6 +6,8 @@ from __future__ import annotations
 
 import json
 import re
+import subprocess
+import sys
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -147,3 +149,16 @@ def test_steps_of_the_table_are_those_that_smooth_table_prints(
     stated = re.search(r"moves no row by more than ([0-9.]+) degrees", text)
     assert stated
     assert moved <= float(stated[1]) < moved + 0.01
+
+
+FAULTS = Document("tests/README.md")
+
+
+def test_the_table_of_faults_has_every_file_with_its_cases() -> None:
+    shown = dict(re.findall(r"^\| `(\w+)` \| .* \| (\d+) \| .* \|$", FAULTS.text, flags=re.MULTILINE))
+    folder = ROOT / "tests" / "python"
+    command = [sys.executable, "-m", "pytest", "--collect-only", "-qq", "-p", "no:cacheprovider"]
+    files = sorted(str(path) for path in folder.glob("test_faults_*.py"))
+    listed = subprocess.run([*command, *files], cwd=ROOT, capture_output=True, text=True, check=True).stdout
+    counted = dict(re.findall(r"test_faults_(\w+)\.py: (\d+)$", listed, flags=re.MULTILINE))
+    assert shown == counted
