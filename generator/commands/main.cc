@@ -40,6 +40,9 @@ std::vector<std::string> TypedWords(int argc, char** argv) {
   std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
   if (!words.empty() && words.front() == "help") {
     words.erase(words.begin());
+    if (words.size() == 1 && (words.front() == "-h" || words.front() == "--help")) {
+      return words;
+    }
     if (words.size() > 1 || (words.size() == 1 && words.front().starts_with('-'))) {
       throw InputError("girdle help takes one verb, such as girdle help solve");
     }

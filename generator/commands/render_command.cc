@@ -54,15 +54,20 @@ RenderRequest Requested(const RenderArguments& arguments) {
     throw InputError("--convention " + arguments.angles.convention +
                      ": no elevation is given. Add --elevation DEG");
   }
+  const std::string shows_keyframe =
+      arguments.keyframe.empty()
+          ? "the picture shows a keyframe. Omit this option, or give --elevation DEG"
+          : "a keyframe has its own pose. Omit this option, or give --elevation DEG in place of "
+            "--keyframe";
   ChooseWord("--girdle", arguments.girdle, request.girdle);
   if (arguments.elevation.empty() && request.girdle == GirdleMotion::kMeasured) {
-    ExpectNoRhythm(arguments.rhythm, "a keyframe has its own pose. Give --elevation DEG as well");
+    ExpectNoRhythm(arguments.rhythm, shows_keyframe);
   }
   if (!arguments.side.empty()) {
     if (arguments.elevation.empty() && request.girdle == GirdleMotion::kMeasured) {
       throw InputError("--side " + arguments.side +
-                       ": a keyframe is one of the whole model. Give --elevation as well, or omit "
-                       "--side");
+                       ": a keyframe is one of the whole model. Omit --side, or give --elevation in "
+                       "place of a keyframe");
     }
     ChooseWord("--side", arguments.side, request.side.emplace());
   }

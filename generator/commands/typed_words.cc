@@ -89,6 +89,11 @@ void ExpectNoEmptyWord(std::span<const std::string> words) {
   }
 }
 
+// Returns "girdle solve" for a verb, "girdle" for the program.
+std::string CommandOf(const CLI::App& app) {
+  return app.get_parent() == nullptr ? "girdle" : "girdle " + app.get_name();
+}
+
 const CLI::App& VerbOf(const CLI::App& program, const std::string& word) {
   std::vector<std::string> names;
   for (const CLI::App* const verb : program.get_subcommands({})) {
@@ -130,7 +135,8 @@ const CLI::App& VerbOf(const CLI::App& program, const std::string& word) {
 
 // Returns whether CLI11 would take a word for an option rather than for a value.
 bool LooksLikeOption(const std::string& word) {
-  return word.size() > 1 && word[0] == '-' && (std::isdigit(word[1]) == 0) && word[1] != '.';
+  return word.size() > 1 && word[0] == '-' &&
+         (std::isdigit(static_cast<unsigned char>(word[1])) == 0) && word[1] != '.';
 }
 
 std::string FormOf(const std::string& name, const CLI::Option& option) {
@@ -165,18 +171,38 @@ void ExpectValue(const std::string& word, const std::string* next, const CLI::Op
 }
 
 // Expects a word that begins with one dash to be -h.
-void ExpectShortOption(const CLI::App& verb, const std::string& word) {
+void ExpectShortOption(const CLI::App& app, const std::string& word) {
   if (word == "-h") {
     return;
   }
-  const std::vector<std::string> names = OptionsOf(verb);
+  const std::vector<std::string> names = OptionsOf(app);
   throw InputError(word + ": options begin with two dashes. " +
-                   DidYouMean("-" + word, ViewsOf(names)) + "See girdle " + verb.get_name() +
-                   " --help");
+                   DidYouMean("-" + word, ViewsOf(names)) + "See " + CommandOf(app) + " --help");
+}
+
+bool AsksForHelp(std::span<const std::string> words) {
+  return std::ranges::any_of(
+      words, [](const std::string& word) { return word == "-h" || word == "--help"; });
+}
+
+// Returns a hint for a word that belongs to no option: it may be a file that --in is to read.
+std::string FileHint(const CLI::App& verb, std::span<const std::string> words,
+                     const std::string& word) {
+  const auto is_given = [&words](std::string_view option) {
+    return std::ranges::any_of(
+        words, [option](const std::string& other) { return other.starts_with(option); });
+  };
+  const bool is_hint = HasOption(verb, "--in") && !is_given("--in") && !is_given("--elevation") &&
+                       !FiniteNumber(word);
+  return is_hint ? "If it is a file, write --in " + word + ". " : "";
 }
 
 // Expects each option once, values where options have them, and no word that belongs to none.
+// Words that ask for help are not checked.
 void ExpectValues(const CLI::App& verb, std::span<const std::string> words) {
+  if (AsksForHelp(words)) {
+    return;
+  }
   std::size_t most_alone = 0;
   for (const CLI::Option* const option : verb.get_options()) {
     most_alone +=
@@ -198,13 +224,11 @@ void ExpectValues(const CLI::App& verb, std::span<const std::string> words) {
     } else if (LooksLikeOption(word)) {
       ExpectShortOption(verb, word);
     } else if (++alone > most_alone) {
-      throw InputError(
-          "'" + word + "': no option stands before it, and girdle " + verb.get_name() +
-          (most_alone == 0 ? " takes no such word. "
-                           : " takes only " + CountText(most_alone, "such word") + ". ") +
-          (most_alone == 0 && HasOption(verb, "--in") ? "If it is a file, write --in " + word + ". "
-                                                      : "") +
-          "See girdle " + verb.get_name() + " --help");
+      throw InputError("'" + word + "': belongs to no option, and " + CommandOf(verb) +
+                       (most_alone == 0
+                            ? " takes no word alone. "
+                            : " takes only " + CountText(most_alone, "word") + " alone. ") +
+                       FileHint(verb, words, word) + "See " + CommandOf(verb) + " --help");
     }
   }
 }
@@ -218,17 +242,23 @@ void ExpectKnownWords(const CLI::App& program, const std::vector<std::string>& w
   if (words.empty()) {
     return;
   }
-  if (words.front().starts_with("--") && !HasOption(program, words.front())) {
+  const std::string first = words.front().substr(0, words.front().find('='));
+  if (first.starts_with("--") && !HasOption(program, first)) {
     const std::vector<std::string> names = OptionsOf(program);
-    const std::string meant = DidYouMean(words.front(), ViewsOf(names));
-    throw InputError(words.front() +
+    const std::string meant = DidYouMean(first, ViewsOf(names));
+    throw InputError(first +
                      (meant.empty()
                           ? ": stands before the verb. Give the verb first, such as girdle "
-                            "solve --elevation 90 --plane 40"
+                            "solve --elevation 90 --plane 40. "
                           : ": girdle has no such option. " + meant) +
-                     "\nSee girdle --help");
+                     "See girdle --help");
   }
-  if (words.front().starts_with('-')) {
+  if (first.starts_with("--")) {
+    ExpectValues(program, checked);
+    return;
+  }
+  if (first.starts_with('-')) {
+    ExpectShortOption(program, first);
     return;
   }
   const CLI::App& verb = VerbOf(program, words.front());

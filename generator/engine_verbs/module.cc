@@ -4,6 +4,7 @@
 #include "engine_verbs/module.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <fstream>
@@ -438,16 +439,20 @@ std::string AnatomyRemark(const std::optional<Anatomy>& said, const std::optiona
 
 // Returns a remark if the model fails by no more than the rounding of its numbers explains.
 std::string RoundingRemark(const ResidualReport& report) {
-  // MuJoCo writes six digits: 5e-7 of a quaternion, and a chain of some of them.
-  constexpr double kRounding = 1e-3;
-  const auto is_small = [](const Residual& residual) {
-    return residual.passed() || (residual.bound == Bound::kAtMost && residual.value < kRounding &&
-                                 (residual.unit == "deg" || residual.unit == "mm"));
+  // MuJoCo writes six digits: 5e-7 of a quaternion, of meters and of kilograms, and chains of them.
+  constexpr std::array<std::pair<std::string_view, double>, 4> kRounding = {
+      {{"deg", 1e-3}, {"mm", 1e-2}, {"kg", 1e-4}, {"kg m^2", 1e-5}}};
+  const auto is_small = [&](const Residual& residual) {
+    const auto* const rounding =
+        std::ranges::find(kRounding, residual.unit, [](const auto& row) { return row.first; });
+    return residual.passed() || (residual.bound == Bound::kAtMost && rounding != kRounding.end() &&
+                                 residual.value < rounding->second);
   };
   return report.passed() || !std::ranges::all_of(report.residuals, is_small)
              ? ""
-             : "Every failure is below 0.001 deg or mm: MuJoCo saves a model with six digits. "
-               "Verify the file that girdle generate wrote, or include it in yours.";
+             : "Every failure is so small that it may come from rounding: MuJoCo saves a model "
+               "with "
+               "six digits. Verify the file that girdle generate wrote, or one that includes it.";
 }
 
 Residual TimestepResidual(const mjOption& option, Assembly assembly) {

@@ -91,6 +91,7 @@ std::string SceneXml(const std::string& model_file, const Anatomy& anatomy, Side
       .Set("type", "skybox")
       .Set("builtin", "flat")
       .Set("rgb1", std::array{0.93, 0.94, 0.95})
+      .Set("rgb2", std::array{0.93, 0.94, 0.95})
       .Set("width", 64)
       .Set("height", 384);
   asset.Add("texture")

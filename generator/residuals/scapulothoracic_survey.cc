@@ -495,10 +495,10 @@ std::string ArmText(const std::vector<Residual>& lines) {
               line.where + ". ";
     }
     for (const char* const item : {kElevationReached, kPlaneReached}) {
-      if (line.item == std::string(item) + kLargest && line.value > kSeen_deg) {
+      if (line.item == std::string(item) + kLargest && std::abs(line.value) > kSeen_deg) {
         text += "The arm misses the commanded " +
                 std::string(item).substr(0, std::string(item).find(' ')) + " by up to " +
-                RoundedText(line.value, 1) + " deg (" + line.where + "). ";
+                RoundedText(std::abs(line.value), 1) + " deg (" + line.where + "). ";
       }
     }
   }

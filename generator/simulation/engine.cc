@@ -59,13 +59,18 @@ void ThrowIfOutOfMemory(std::string_view message) {
   throw EngineError(message);
 }
 
-// Returns the lines of a text on one line, each once. MuJoCo tries a plugin several times and
-// repeats its message.
+// Returns the lines of a text on one line, each once and without those about saving. MuJoCo tries a
+// plugin several times, and repeats its message, sometimes cut off.
 std::string DistinctLines(const std::string& text) {
   std::vector<std::string> lines;
   std::istringstream in(text);
   for (std::string line; std::getline(in, line);) {
-    if (!line.empty() && std::find(lines.begin(), lines.end(), line) == lines.end()) {
+    const auto begins_with_it = [&line](const std::string& other) {
+      return other.starts_with(line);
+    };
+    if (!line.empty() && !line.starts_with(kOnSaving) &&
+        std::ranges::none_of(lines, begins_with_it)) {
+      std::erase_if(lines, [&line](const std::string& other) { return line.starts_with(other); });
       lines.push_back(line);
     }
   }
@@ -92,10 +97,16 @@ void ExpectLoaded(const ModelPointer& model, const std::string& name, const std:
   ThrowIfOutOfMemory(reason);
   const std::string warned = EngineWatch::TakeWarnings();
   if (model == nullptr || !warned.empty()) {
+    const bool is_attached = reason.find("Attach conflict") != std::string::npos ||
+                             warned.find("Attach conflict") != std::string::npos;
     throw InputError(
         name + ": MuJoCo cannot load it: " + WithoutStop(DistinctLines(reason + "\n" + warned)) +
-        ". " + (IsBinary(name) ? "Give its XML" : "Correct the model") +
-        " or make it anew with girdle generate");
+        ". " +
+        (is_attached
+             ? "Give your model the <option> of the shoulder that is attached to it, such as "
+               "integrator=\"implicitfast\" timestep=\"0.002\""
+             : std::string(IsBinary(name) ? "Give its XML" : "Correct the model") +
+                   " or make it anew with girdle generate"));
   }
 }
 

@@ -275,18 +275,44 @@ def test_an_empty_word_is_refused_with_its_place(refuses: Refuses, words: Words,
             "-elevation: options begin with two dashes. Did you mean '--elevation'?",
         ),
         ((*POSE, "-p", "3"), "-p: options begin with two dashes. See girdle solve --help"),
+        ((*POSE, "--json", "yes"), "'yes': belongs to no option, and girdle solve takes no word alone. See"),
+        (("simulate", "a.xml", "b.csv"), "takes only 1 word alone. If it is a file, write --in b.csv. See"),
+        (("solve", "90", "40"), "'90': belongs to no option, and girdle solve takes no word alone. See"),
+        (
+            ("-version",),
+            "-version: options begin with two dashes. Did you mean '--version'? See girdle --help",
+        ),
+        (("--version=1",), "--version: takes no value"),
         (("--hlep",), "--hlep: girdle has no such option. Did you mean '--help'?"),
         (("solve", "trial.csv"), "If it is a file, write --in trial.csv."),
         ((*POSE, "--digits", "3", "--digits=4"), "--digits: is given twice. Omit one of them"),
         ((*POSE, "--json", "--json"), "--json: is given twice"),
         ((*POSE, "--json=yes"), "--json: takes no value. Write --json alone, or omit it"),
-        ((*POSE, "flexion"), "'flexion': no option stands before it, and girdle solve takes no such word"),
-        (("verify", "a.xml", "b.xml"), "'b.xml': no option stands before it, and girdle verify takes only 1"),
+        (
+            (*POSE, "flexion"),
+            "'flexion': belongs to no option, and girdle solve takes no word alone. See girdle solve --help",
+        ),
+        (
+            ("verify", "a.xml", "b.xml"),
+            "'b.xml': belongs to no option, and girdle verify takes only 1 word alone. See",
+        ),
     ],
     ids=repr,
 )
 def test_a_word_in_a_wrong_place_is_refused(refuses: Refuses, words: Words, because: str) -> None:
-    refuses(*words, because=("^girdle: " if because[0] in "-'" else "", re.escape(because)))
+    refuses(*words, because=(("^girdle: " if because[0] in "-'" else "") + re.escape(because),))
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        *((("solve", "--help", "--elevation")), ("solve", "trial.csv", "--help"), ("solve", "-h", "-h")),
+        *((("help", "--help")), ("help", "-h"), ("-h",)),
+    ],
+    ids=" ".join,
+)
+def test_who_asks_for_help_gets_it(girdle_fine: Girdle, words: Words) -> None:
+    assert "\nUsage: girdle" in girdle_fine(*words).text
 
 
 def test_values_may_begin_with_a_minus(girdle_fine: Girdle, tmp_path: Path) -> None:

@@ -425,6 +425,24 @@ TEST_F(SurveyGirdleTest, BonesThatHangOnTheArmFollowToTheModelsConnections) {
   }
 }
 
+TEST_F(SurveyGirdleTest, SaysInTheSummaryByHowMuchTheArmMissesCommands) {
+  CsvText text(FormulaMapping());
+  text.AddColumn("offset_deg", "");
+  text.Cell(12, "offset_deg") = "4";
+  text.Cell(13, "offset_deg") = "-3";
+  const auto summary = [](const std::string& mapping) {
+    std::string shown = SurveyIn({ReportForm::kSummary, {}}, Survey(FormulaModel(), mapping));
+    std::ranges::replace(shown, '\n', ' ');
+    return shown;
+  };
+  const std::string missed = summary(text.Text());
+  EXPECT_NE(missed.find("misses the commanded elevation by up to 4 deg"), std::string::npos)
+      << missed;
+  EXPECT_NE(missed.find("misses the commanded plane by up to 3 deg"), std::string::npos) << missed;
+  const std::string exact = summary(FormulaMapping());
+  EXPECT_EQ(exact.find("misses the commanded"), std::string::npos) << exact;
+}
+
 TEST_F(SurveyGirdleTest, SaysWhichPositionsAreBeyondTheRangeOfAJoint) {
   const std::string xml =
       Replaced(FormulaModel(), "<joint name=\"raise\"", "<joint name=\"raise\" range=\"0 1.7\"");
