@@ -65,9 +65,10 @@ RenderRequest Requested(const RenderArguments& arguments) {
   }
   if (!arguments.side.empty()) {
     if (arguments.elevation.empty() && request.girdle == GirdleMotion::kMeasured) {
-      throw InputError("--side " + arguments.side +
-                       ": a keyframe is one of the whole model. Omit --side, or give --elevation in "
-                       "place of a keyframe");
+      throw InputError(
+          "--side " + arguments.side +
+          ": a keyframe is one of the whole model. Omit --side, or give --elevation in "
+          "place of a keyframe");
     }
     ChooseWord("--side", arguments.side, request.side.emplace());
   }
