@@ -76,6 +76,10 @@ int Run(int argc, char** argv) {
       "girdle help VERB tells more, with examples.");
   std::vector<std::string> words = TypedWords(argc, argv);
   ExpectKnownWords(program, words);
+  if (AsksForHelp(words)) {
+    words.resize(1);  // the verb, or what asks
+    words.emplace_back("--help");
+  }
   const std::string command =
       words.empty() || words.front().starts_with('-') ? "girdle" : "girdle " + words.front();
   try {

@@ -180,11 +180,6 @@ void ExpectShortOption(const CLI::App& app, const std::string& word) {
                    DidYouMean("-" + word, ViewsOf(names)) + "See " + CommandOf(app) + " --help");
 }
 
-bool AsksForHelp(std::span<const std::string> words) {
-  return std::ranges::any_of(
-      words, [](const std::string& word) { return word == "-h" || word == "--help"; });
-}
-
 // Returns a hint for a word that belongs to no option: it may be a file that --in is to read.
 std::string FileHint(const CLI::App& verb, std::span<const std::string> words,
                      const std::string& word) {
@@ -198,11 +193,7 @@ std::string FileHint(const CLI::App& verb, std::span<const std::string> words,
 }
 
 // Expects each option once, values where options have them, and no word that belongs to none.
-// Words that ask for help are not checked.
 void ExpectValues(const CLI::App& verb, std::span<const std::string> words) {
-  if (AsksForHelp(words)) {
-    return;
-  }
   std::size_t most_alone = 0;
   for (const CLI::Option* const option : verb.get_options()) {
     most_alone +=
@@ -234,6 +225,11 @@ void ExpectValues(const CLI::App& verb, std::span<const std::string> words) {
 }
 
 }  // namespace
+
+bool AsksForHelp(const std::vector<std::string>& words) {
+  return std::any_of(words.begin(), std::ranges::find(words, kEndOfOptions),
+                     [](const std::string& word) { return word == "-h" || word == "--help"; });
+}
 
 void ExpectKnownWords(const CLI::App& program, const std::vector<std::string>& words) {
   const std::span<const std::string> checked(words.begin(),
@@ -268,7 +264,9 @@ void ExpectKnownWords(const CLI::App& program, const std::vector<std::string>& w
       RefuseOption(program, verb, option);
     }
   }
-  ExpectValues(verb, checked.subspan(1));
+  if (!AsksForHelp(words)) {
+    ExpectValues(verb, checked.subspan(1));
+  }
 }
 
 }  // namespace girdle

@@ -19,8 +19,13 @@ namespace girdle {
 /// - an option without its value, with a value that it does not take, or given twice;
 /// - more words without an option than the verb takes.
 ///
+/// Values are not checked in words that ask for help.
+///
 /// `words` are those behind the program's name. Values themselves are not checked, nor are
 /// words behind `--`.
 void ExpectKnownWords(const CLI::App& program, const std::vector<std::string>& words);
+
+/// Returns whether `-h` or `--help` is among the words before `--`.
+[[nodiscard]] bool AsksForHelp(const std::vector<std::string>& words);
 
 }  // namespace girdle
