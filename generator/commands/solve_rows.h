@@ -66,7 +66,7 @@ void SolveRows(const RowSource& source, const std::string& out, const ShoulderRh
 /// Throws InputError if the rows of a file look like radians and the options do not give the unit.
 /// Stops reading at the first row that does not look like radians.
 void ExpectKnownUnit(const std::string& path, const AngleReading& reading,
-                     const std::vector<NamedColumn>& columns);
+                     const std::vector<NamedColumn>& names);
 
 /// Writes what SolveRows would write for a CSV with a row for each position. The columns are
 /// elevation and plane as typed, and those of axial turn and offsets that the options give.
