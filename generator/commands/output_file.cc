@@ -13,6 +13,7 @@
 #include <cstring>
 #include <iostream>
 #include <memory>
+#include <ranges>
 #include <system_error>
 #include <thread>
 
@@ -329,8 +330,8 @@ void WriteFiles(const std::filesystem::path& folder,
   }
   try {
     // The first file names the others, so that it comes last.
-    for (auto output = outputs.rbegin(); output != outputs.rend(); ++output) {
-      (*output)->Place();
+    for (const std::unique_ptr<OutputFile>& output : std::views::reverse(outputs)) {
+      output->Place();
     }
   } catch (...) {
     for (const std::unique_ptr<OutputFile>& output : outputs) {

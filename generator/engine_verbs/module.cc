@@ -516,22 +516,22 @@ VerifyResult VerifyMapped(const MappedModel& mapped, const std::string& plugin,
   return {SurveyIn(form, survey), survey.report.passed()};
 }
 
-const std::string& NameOf(const std::string& model) { return model; }
-const std::string& NameOf(const ModelFiles& files) { return files.front().first; }
-const std::string& NameOf(const MappedModel& mapped) { return mapped.model; }
+std::string NameOf(const std::string& model) { return model; }
+std::string NameOf(const ModelFiles& files) { return files.front().first; }
+std::string NameOf(const MappedModel& mapped) { return mapped.model; }
 
 // A verb whose first argument is a model. Run says in which model MuJoCo met an error.
-template <auto kVerb>
+template <auto Verb>
 struct OnModel;
 template <typename Result, typename Model, typename... Arguments,
-          Result (*kVerb)(const Model&, Arguments...)>
-struct OnModel<kVerb> {
+          Result (*Verb)(const Model&, Arguments...)>
+struct OnModel<Verb> {
   static Result Run(const Model& model, Arguments... arguments) {
     try {
-      return kVerb(model, std::forward<Arguments>(arguments)...);
+      return Verb(model, std::forward<Arguments>(arguments)...);
     } catch (const EngineError& error) {
       throw InputError(NameOf(model) + ": MuJoCo cannot go on with it: " + error.what() +
-                       ". Mend the model or make it anew with girdle generate");
+                       ". Correct the model or make it anew with girdle generate");
     }
   }
 };

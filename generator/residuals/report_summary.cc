@@ -86,11 +86,11 @@ std::string CountsText(const Kind& kind) {
 
 // Returns as much of the place of a residual as has room: "flexion 120.4/90", "120.4/90" or "".
 std::string PlaceText(const Residual& residual, std::size_t room) {
-  const std::string place = ShortPlace(residual.where);
+  std::string place = ShortPlace(residual.where);
   if (place.size() <= room) {
     return place;
   }
-  const std::string direction = place == residual.where ? "" : place.substr(place.rfind(' ') + 1);
+  std::string direction = place == residual.where ? "" : place.substr(place.rfind(' ') + 1);
   return direction.size() <= room ? direction : "";
 }
 

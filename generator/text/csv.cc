@@ -59,7 +59,7 @@ std::string NumberMend(std::string_view field, const CsvDialect& dialect) {
   const bool has_point = field.find('.') != std::string_view::npos;
   const bool has_comma = field.find(',') != std::string_view::npos;
   const std::string example = dialect.decimal_mark == ',' ? "22,5" : "22.5";
-  const std::string expected = "expected a finite number such as " + example;
+  std::string expected = "expected a finite number such as " + example;
   if (has_point && has_comma) {
     return expected + ", with one decimal mark and none between thousands";
   }

@@ -28,7 +28,8 @@ std::string_view WithoutQuotes(std::string_view line) noexcept {
 const char* SplitQuotedFields(std::string_view line, char separator,
                               std::vector<std::string_view>& fields, std::string& unquoted) {
   const auto pass_blanks = [&](std::size_t i) {
-    while (i < line.size() && line[i] != separator && kBlanks.find(line[i]) != kBlanks.npos) {
+    while (i < line.size() && line[i] != separator &&
+           kBlanks.find(line[i]) != std::string_view::npos) {
       ++i;
     }
     return i;
@@ -85,7 +86,8 @@ bool NamesSeparator(std::string_view line) noexcept {
 
 std::optional<char> NamedSeparator(std::string_view line) noexcept {
   const char separator = WithoutQuotes(line).back();
-  return kSeparators.find(separator) == kSeparators.npos ? std::nullopt : std::optional(separator);
+  return kSeparators.find(separator) == std::string_view::npos ? std::nullopt
+                                                               : std::optional(separator);
 }
 
 ShownSeparator SeparatorOf(std::string_view line) {

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 
 namespace girdle {
 namespace {
@@ -59,10 +58,10 @@ const char* TextDecoder::Decode(std::string& text, std::size_t begin) {
     return nullptr;
   }
   if (bytes_per_unit() == 1) {
-    return MendLineEnds(text, begin);
+    return CorrectLineEnds(text, begin);
   }
   const char* const flaw = DecodeUtf16(text, begin);
-  const char* const earlier = MendLineEnds(text, begin);
+  const char* const earlier = CorrectLineEnds(text, begin);
   return earlier != nullptr ? earlier : flaw;
 }
 
@@ -73,7 +72,7 @@ const char* TextDecoder::Finish(std::string& text) {
   }
   text += kept_back_;
   kept_back_.clear();
-  return MendLineEnds(text, begin);
+  return CorrectLineEnds(text, begin);
 }
 
 bool TextDecoder::TakeMark(std::string& text, std::size_t begin) {
@@ -141,14 +140,13 @@ const char* TextDecoder::AppendUnit(std::string& text, std::uint32_t unit) {
 }
 
 // Replaces carriage returns, and looks for a byte 0.
-const char* TextDecoder::MendLineEnds(std::string& text, std::size_t begin) {
+const char* TextDecoder::CorrectLineEnds(std::string& text, std::size_t begin) {
   if (text.size() == begin) {
     return nullptr;
   }
   const char* flaw = nullptr;
-  if (const auto* zero =
-          static_cast<const char*>(std::memchr(text.data() + begin, 0, text.size() - begin))) {
-    text.resize(static_cast<std::size_t>(zero - text.data()));
+  if (const std::size_t zero = text.find('\0', begin); zero != std::string::npos) {
+    text.resize(zero);
     flaw = kByteZero;
   }
   if (is_after_return_ && text.size() > begin && text[begin] == '\n') {

@@ -39,7 +39,7 @@ class TextDecoder {
   [[nodiscard]] bool TakeMark(std::string& text, std::size_t begin);
   [[nodiscard]] const char* DecodeUtf16(std::string& text, std::size_t begin);
   [[nodiscard]] const char* AppendUnit(std::string& text, std::uint32_t unit);
-  [[nodiscard]] const char* MendLineEnds(std::string& text, std::size_t begin);
+  [[nodiscard]] const char* CorrectLineEnds(std::string& text, std::size_t begin);
 
   Encoding encoding_ = Encoding::kUnknown;
   std::string kept_back_;             ///< bytes of a mark or of a unit of UTF-16
