@@ -13,6 +13,7 @@
 #include "names/joint_dynamics.h"
 #include "text/input_error.h"
 #include "text/number_text.h"
+#include "text/shown_text.h"
 
 namespace girdle {
 namespace {
@@ -27,7 +28,7 @@ std::string OneOf(const std::array<std::string_view, N>& names) {
 }
 
 [[noreturn]] void Fail(const char* key, const std::string& value, const std::string& fix) {
-  throw InputError(std::string(key) + " is \"" + value + "\", expected " + fix);
+  throw InputError(std::string(key) + " is \"" + ShortText(value) + "\", expected " + fix);
 }
 
 // Returns the value of a word; nothing if none is given.

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "skin/json_fault.h"
 #include "text/text_file.h"
 
 namespace girdle {
@@ -37,8 +38,16 @@ nlohmann::json ParseJson(std::istream& in) {
   try {
     return nlohmann::json::parse(in, expect_shallow);
   } catch (const nlohmann::json::exception& error) {
-    throw GltfFlaw("its JSON is wrong, or cut short: " + std::string(error.what()));
+    throw GltfFlaw("its JSON is wrong, or cut short: " + JsonFault(error));
   }
+}
+
+// Returns the index of a node. A conversion of a number that is not whole may be undefined.
+std::size_t NodeIndex(const nlohmann::json& number) {
+  if (number.is_number_float()) {
+    throw GltfFlaw("the child " + number.dump() + " of a node is no whole number");
+  }
+  return number.get<std::size_t>();
 }
 
 // Returns the whole number of 32 bits in the next bytes, lowest byte first.
@@ -84,7 +93,7 @@ void ExpectShallowTrees(const nlohmann::json& nodes) {
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     if (!nodes[i].contains("children")) continue;
     for (const nlohmann::json& child : nodes[i].at("children")) {
-      auto& parent = parents.at(child.get<std::size_t>());
+      auto& parent = parents.at(NodeIndex(child));
       if (parent != kNone) {
         throw GltfFlaw("node " + child.dump() + " is the child of two nodes, or twice of one");
       }

@@ -8,8 +8,10 @@
 #include <optional>
 #include <string_view>
 
+#include "skin/json_fault.h"
 #include "text/input_error.h"
 #include "text/number_text.h"
+#include "text/shown_text.h"
 
 namespace girdle {
 namespace {
@@ -46,7 +48,7 @@ class WordLines {
   }
   [[nodiscard]] double Number(std::size_t i) const {
     const std::optional<double> number = FiniteNumber(words_[i]);
-    if (!number) Fail("'" + std::string(words_[i]) + "' is not a finite number");
+    if (!number) Fail("'" + ShortText(words_[i]) + "' is not a finite number");
     return *number;
   }
   // Returns the number of a vertex, below `count`. The file counts vertices from `first`.
@@ -55,7 +57,7 @@ class WordLines {
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
     if (error != std::errc() || end != word.data() + word.size() || number < first ||
         number - first >= static_cast<int>(count)) {
-      Fail("'" + std::string(word) + "' is none of the " + std::to_string(count) + " vertices");
+      Fail("'" + ShortText(word) + "' is none of the " + std::to_string(count) + " vertices");
     }
     return number - first;
   }
@@ -95,7 +97,7 @@ MakeHumanMesh ReadMakeHumanMesh(std::istream& in, const std::string& name) {
       lines.ExpectWords(2, "'g name'");
       group = &mesh.groups[std::string(lines.word(1))];
     } else if (kind != "vt" && kind != "s") {
-      lines.Fail("'" + std::string(kind) + "' is not known, expected v, vt, f, g or s");
+      lines.Fail("'" + ShortText(kind) + "' is not known, expected v, vt, f, g or s");
     }
   }
   return mesh;
@@ -119,21 +121,28 @@ MakeHumanWeights ReadMakeHumanWeights(std::istream& in, const std::string& name,
     const nlohmann::json json = nlohmann::json::parse(in);
     for (const auto& [bone, shares] : json.at("weights").items()) {
       for (const nlohmann::json& pair : shares) {
+        // A conversion of a number that is not whole may be undefined.
+        if (pair.at(0).is_number_float()) {
+          throw InputError(name + ": bone '" + ShortText(bone) + "' has vertex " +
+                           pair.at(0).dump() + ", which is no whole number");
+        }
         const auto vertex = pair.at(0).get<std::int64_t>();
         const auto share = pair.at(1).get<double>();
         if (vertex < 0 || vertex >= static_cast<std::int64_t>(vertex_count)) {
-          throw InputError(name + ": bone '" + bone + "' has vertex " + std::to_string(vertex) +
-                           ", which is none of the " + std::to_string(vertex_count));
+          throw InputError(name + ": bone '" + ShortText(bone) + "' has vertex " +
+                           std::to_string(vertex) + ", which is none of the " +
+                           std::to_string(vertex_count));
         }
         if (!(share >= 0 && share <= 1)) {
-          throw InputError(name + ": bone '" + bone + "' has a share of " + NumberText(share) +
-                           " in vertex " + std::to_string(vertex) + ", expected 0 to 1");
+          throw InputError(name + ": bone '" + ShortText(bone) + "' has a share of " +
+                           NumberText(share) + " in vertex " + std::to_string(vertex) +
+                           ", expected 0 to 1");
         }
         weights[bone].emplace_back(static_cast<int>(vertex), share);
       }
     }
   } catch (const nlohmann::json::exception& error) {
-    throw InputError(name + ": not the weights of a rig: " + error.what());
+    throw InputError(name + ": not the weights of a rig: " + JsonFault(error));
   }
   return weights;
 }

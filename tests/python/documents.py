@@ -43,6 +43,8 @@ STAND_INS = {
     "scripts/engines": ":",
     "scripts/fetch_body": ":",
     "scripts/figures --quick": ":",
+    "scripts/fuzz --seconds 10": ":",
+    "scripts/fuzz --seconds 600 poses motion": ":",
     "python3 -m venv .venv && . .venv/bin/activate": ":",
     "pip install mujoco": ":",
     "python3 -m venv .myo && .myo/bin/pip install myo-sim==0.2.4 mujoco==3.17.0": ":",

@@ -19,6 +19,7 @@ from shared_results import SharedResults
 MODELS = Document("model/README.md")
 SKIN = Document("generator/skin/README.md")
 SPEED = Document("tests/benchmarks/README.md")
+FUZZERS = Document("tests/fuzz/README.md")
 
 # How the lines of the report that the table of verdicts shows begin, by its columns.
 CHIEF_LINES = (
@@ -88,6 +89,12 @@ def test_the_table_of_speed_has_the_rows_of_the_benchmark() -> None:
         place, comma, done = row.partition(", ")
         in_parts = f'"{place}"' in source and f'"{comma}{done}"' in source
         assert f'"{row}' in source or in_parts, row
+
+
+def test_the_table_of_fuzzers_has_every_fuzzer() -> None:
+    shown = re.findall(r"^\| `(\w+)` \|", FUZZERS.text, flags=re.MULTILINE)
+    folder = ROOT / "tests" / "fuzz"
+    assert shown == sorted(file.stem.removeprefix("fuzz_") for file in folder.glob("fuzz_*.cc"))
 
 
 def parts_of(root: ElementTree.Element) -> set[tuple[str, tuple[tuple[str, str], ...]]]:

@@ -135,7 +135,7 @@ def test_a_mujoco_root_without_headers_is_refused(checkout: Path, tmp_path: Path
     assert f"MUJOCO_ROOT is {tmp_path}, and there is no include/mujoco/mujoco.h" in finished.stderr
 
 
-@pytest.mark.parametrize("script", ["configure", "figures", "fresh", "run", "seeds", "setup", "test"])
+@pytest.mark.parametrize("script", ["configure", "figures", "fresh", "fuzz", "run", "seeds", "setup", "test"])
 def test_help_is_all_that_help_does(checkout: Path, script: str) -> None:
     finished = run(checkout / "scripts" / script, "--help")
     assert (finished.returncode, finished.stderr) == (0, "")
@@ -143,13 +143,87 @@ def test_help_is_all_that_help_does(checkout: Path, script: str) -> None:
     assert not (checkout / "build").exists()
 
 
-@pytest.mark.parametrize("script", ["configure", "figures", "fresh", "run", "seeds", "setup"])
+@pytest.mark.parametrize("script", ["configure", "figures", "fresh", "fuzz", "run", "seeds", "setup"])
 def test_an_unknown_argument_is_refused_before_anything_is_done(checkout: Path, script: str) -> None:
     finished = run(checkout / "scripts" / script, "--unknown")
     assert finished.returncode == 2
     assert "--unknown" in finished.stderr.splitlines()[-1]
     assert finished.stdout == ""
     assert not (checkout / "build").exists()
+
+
+FUZZ_PRESETS = """{"version": 6,
+  "configurePresets": [
+    {"name": "fuzz", "generator": "Ninja", "binaryDir": "${sourceDir}/build/fuzz"}],
+  "buildPresets": [{"name": "fuzz", "configurePreset": "fuzz"}]}"""
+
+# A fuzzer that finds nothing, and one that keeps the input it was given last.
+CALM = """#!/bin/sh
+printf '%s\\n' "$*" >&2
+echo 'stat::number_of_executed_units: 1234'
+"""
+ALARMED = """#!/bin/sh
+for word; do case $word in -artifact_prefix=*) prefix=${word#*=} ;; esac; done
+echo 'finding: an exception other than InputError: stoi'
+echo smallest >"${prefix}crash-0123"
+echo 'stat::number_of_executed_units: 56'
+exit 77
+"""
+
+
+@pytest.fixture
+def fuzzed(checkout: Path, tmp_path: Path) -> Path:
+    """A checkout with a compiler that has libFuzzer, and two fuzzers that are built already."""
+    (checkout / "CMakePresets.json").write_text(FUZZ_PRESETS)
+    (checkout / "tests" / "fuzz").mkdir(parents=True)
+    built = checkout / "build" / "fuzz" / "tests" / "fuzz"
+    built.mkdir(parents=True)
+    for name, text in (("calm", CALM), ("alarmed", ALARMED)):
+        (checkout / "tests" / "fuzz" / f"fuzz_{name}.cc").touch()
+        write_program(built / f"fuzz_{name}", text)
+    write_program(tmp_path / "clang" / "clang++", "#!/bin/sh\n")
+    return checkout
+
+
+def test_fuzzers_without_a_finding_are_counted(fuzzed: Path, tmp_path: Path) -> None:
+    finished = run(fuzzed / "scripts" / "fuzz", "--seconds", "7", "calm", path=tmp_path / "clang")
+    assert (finished.returncode, finished.stderr) == (0, "")
+    header, row = (line.split() for line in finished.stdout.splitlines())
+    assert header == ["target", "inputs", "seconds", "findings"]
+    assert (row[:2], row[3]) == (["calm", "1234"], "0")
+    assert not (fuzzed / "build" / "fuzz" / "findings").exists()
+
+
+def test_the_input_of_a_finding_is_kept_and_named(fuzzed: Path, tmp_path: Path) -> None:
+    finished = run(fuzzed / "scripts" / "fuzz", path=tmp_path / "clang")
+    assert finished.returncode == 1
+    rows = sorted(line.split() for line in finished.stdout.splitlines()[1:])
+    assert [(row[0], row[1], row[3]) for row in rows] == [("alarmed", "56", "1"), ("calm", "1234", "0")]
+    kept = "build/fuzz/findings/alarmed-crash-0123"
+    assert (fuzzed / kept).read_text() == "smallest\n"
+    assert f"{kept}, and {kept}.words:\nfinding: an exception other than InputError: stoi" in finished.stderr
+    assert "an exception" in (fuzzed / f"{kept}.words").read_text()
+
+
+def test_a_fuzzer_that_is_not_there_is_refused_with_those_that_are(fuzzed: Path, tmp_path: Path) -> None:
+    finished = run(fuzzed / "scripts" / "fuzz", "clam", path=tmp_path / "clang")
+    assert (finished.returncode, finished.stdout) == (2, "")
+    assert "there is no fuzzer 'clam'. Choose among: alarmed calm" in finished.stderr
+
+
+@pytest.mark.parametrize("seconds", ["0", "1.5", "-3", "ten", ""])
+def test_fuzzing_for_other_than_whole_seconds_is_refused(fuzzed: Path, tmp_path: Path, seconds: str) -> None:
+    finished = run(fuzzed / "scripts" / "fuzz", "--seconds", seconds, path=tmp_path / "clang")
+    assert (finished.returncode, finished.stdout) == (2, "")
+    assert f"--seconds needs a whole number of seconds, at least 1, and not '{seconds}'" in finished.stderr
+
+
+def test_fuzzing_without_libfuzzer_names_what_installs_it(fuzzed: Path, tmp_path: Path) -> None:
+    write_program(tmp_path / "clang" / "clang++", "#!/bin/sh\necho cannot find libclang_rt >&2\nexit 1\n")
+    finished = run(fuzzed / "scripts" / "fuzz", path=tmp_path / "clang")
+    assert (finished.returncode, finished.stdout) == (2, "")
+    assert "cannot find libclang_rt" in finished.stderr
+    assert "apt-get install clang libclang-rt-dev" in finished.stderr
 
 
 @pytest.fixture

@@ -20,6 +20,7 @@
 #include "rhythm_tables/rhythm_table_csv.h"
 #include "text/csv_text.h"
 #include "text/input_error.h"
+#include "text/shown_text.h"
 
 namespace girdle::rhythm_config_test {
 namespace {
@@ -205,6 +206,14 @@ INSTANTIATE_TEST_SUITE_P(
                    [](RhythmConfigText& text) { text.stiffness = "1,2,3,4,5,6,7,8,9"; },
                    "kp is \"1,2,3,4,5,6,7,8,9\", expected one positive number of N m/rad, or nine "
                    "in the order sc, ac, gh"}));
+
+TEST(RhythmConfig, ShowsTheBeginningOfALongValue) {
+  constexpr std::size_t kLong = 5000;
+  RhythmConfigText text = ValidText();
+  text.closure = std::string(kLong, 't');
+  EXPECT_EQ(MessageOf<InputError>([&] { static_cast<void>(ParseRhythmConfig(text)); }),
+            "closure is \"" + ShortText(text.closure) + "\", expected \"exact\" or \"table\"");
+}
 
 TEST(RhythmConfig, SaysWhichKeyHoldsABrokenTable) {
   RhythmConfigText text = ValidText();

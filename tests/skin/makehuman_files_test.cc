@@ -12,6 +12,7 @@
 
 #include "text/csv_text.h"
 #include "text/input_error.h"
+#include "text/shown_text.h"
 
 namespace girdle::makehuman_files_test {
 namespace {
@@ -95,6 +96,12 @@ TEST(AddMakeHumanTarget, RefusesAVertexThatIsNotThere) {
             "m.target:2: '2' is none of the 2 vertices");
 }
 
+TEST(ReadMakeHumanMesh, ShowsTheBeginningOfALongWord) {
+  const std::string word(5000, 'w');
+  EXPECT_EQ(MessageOf<InputError>([&] { static_cast<void>(ReadMesh(word)); }),
+            "m.obj:1: '" + ShortText(word) + "' is not known, expected v, vt, f, g or s");
+}
+
 TEST(AddMakeHumanTarget, RefusesALineThatIsNoDisplacement) {
   std::vector<Vector3> vertices_dm = {{0, 0, 0}};
   EXPECT_EQ(MessageOf<InputError>([&] { AddTarget("0 0 0\n", vertices_dm); }),
@@ -119,11 +126,29 @@ TEST(ReadMakeHumanWeights, RefusesAShareAboveOne) {
             "w.json: bone 'neck' has a share of 1.5 in vertex 1, expected 0 to 1");
 }
 
+TEST(ReadMakeHumanWeights, RefusesAVertexThatIsNoWholeNumber) {
+  for (const std::string vertex : {"1.5", "1e300"}) {
+    EXPECT_EQ(MessageOf<InputError>([&] {
+                static_cast<void>(ReadWeights(R"({"weights": {"neck": [[)" + vertex + ", 1]]}}"));
+              }).substr(0, 31),
+              "w.json: bone 'neck' has vertex ")
+        << vertex;
+  }
+}
+
 TEST(ReadMakeHumanWeights, RefusesTextThatIsCutOff) {
+  EXPECT_EQ(MessageOf<InputError>([] { static_cast<void>(ReadWeights(R"({"weights": {)")); }),
+            "w.json: not the weights of a rig: no JSON at byte 14");
+}
+
+TEST(ReadMakeHumanWeights, SaysBrieflyWhatIsNoJson) {
+  constexpr std::size_t kLong = 1'000'000;
   EXPECT_EQ(MessageOf<InputError>([] {
-              static_cast<void>(ReadWeights(R"({"weights": {)"));
-            }).substr(0, 34),
-            "w.json: not the weights of a rig: ");
+              static_cast<void>(ReadWeights("{\"weights\": \"" + std::string(kLong, 'a')));
+            }),
+            "w.json: not the weights of a rig: no JSON at byte 1000014");
+  EXPECT_EQ(MessageOf<InputError>([] { static_cast<void>(ReadWeights(std::string(kLong, '9'))); }),
+            "w.json: not the weights of a rig: a number is too large");
 }
 
 }  // namespace
