@@ -150,7 +150,7 @@ def test_a_longer_humerus_takes_the_elbow_along_and_no_other_bone(girdle_fine: G
 def test_a_person_without_landmarks_to_print_is_refused(
     refuses: Refuses, pose: tuple[str, ...], whose: tuple[str, ...]
 ) -> None:
-    refuses("solve", *pose, *whose, because=("changes no angle", "Add --landmarks"))
+    refuses("solve", *pose, *whose, because=("change no angle", "Add --landmarks"))
 
 
 def test_a_stature_that_nobody_has_is_refused(refuses: Refuses) -> None:

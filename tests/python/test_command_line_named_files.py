@@ -148,7 +148,7 @@ POSE = ("solve", "--elevation=60", "--plane=40")
             "--plugin so.png",
         ),
         (
-            ("render", SCENE_FILE, "--table", "table.png", "--out", "table.png"),
+            ("render", SCENE_FILE, "--elevation", "9", "--table", "table.png", "--out", "table.png"),
             "--out table.png",
             "--table table.png",
         ),
