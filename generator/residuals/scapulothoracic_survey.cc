@@ -489,16 +489,19 @@ std::string DifferencesTable(const std::vector<Residual>& lines, const TextStyle
 std::string ArmText(const std::vector<Residual>& lines) {
   constexpr double kSeen_deg = 1;
   std::string text;
+  const auto add = [&text](const std::string& sentence) {
+    text += (text.empty() ? "" : " ") + sentence;
+  };
   for (const Residual& line : lines) {
     if (line.item == kNotReached && line.value > 0) {
-      text += "Positions not reached: " + std::to_string(std::lround(line.value)) + " " +
-              line.where + ". ";
+      add("Positions not reached: " + std::to_string(std::lround(line.value)) + " " + line.where +
+          ".");
     }
     for (const char* const item : {kElevationReached, kPlaneReached}) {
       if (line.item == std::string(item) + kLargest && std::abs(line.value) > kSeen_deg) {
-        text += "The arm misses the commanded " +
-                std::string(item).substr(0, std::string(item).find(' ')) + " by up to " +
-                RoundedText(std::abs(line.value), 1) + " deg (" + line.where + "). ";
+        add("The arm misses the commanded " +
+            std::string(item).substr(0, std::string(item).find(' ')) + " by up to " +
+            RoundedText(std::abs(line.value), 1) + " deg (" + line.where + ").");
       }
     }
   }
@@ -568,8 +571,9 @@ std::string SurveyIn(const ReportChoice& choice, const ScapulothoracicSurvey& su
   if (choice.form == ReportForm::kJson) {
     return SurveyAsJson(survey);
   }
-  const std::string sentence =
-      WrappedText(ArmText(survey.report.residuals) + survey.sentence, choice.style.width) + "\n";
+  const std::string arm = ArmText(survey.report.residuals);
+  const std::string sentence = (arm.empty() ? "" : WrappedText(arm, choice.style.width) + "\n") +
+                               WrappedText(survey.sentence, choice.style.width) + "\n";
   if (choice.form == ReportForm::kFull) {
     return ReportAsText(survey.report, choice.style) + "\n" + sentence;
   }
