@@ -101,7 +101,11 @@ constexpr char kErrorFollows = 'e';
 constexpr char kNoMemory = 'n';
 
 // Longest time to read the largest mesh [s], several times what it takes.
+#ifdef __SANITIZE_ADDRESS__
+constexpr int kLongestReading_s = 120;  // an address sanitizer reads more than ten times as long
+#else
 constexpr int kLongestReading_s = 10;
+#endif
 // Most memory of the process that reads. The largest mesh takes about half of it.
 constexpr std::size_t kMostMemory = 300'000'000;
 
