@@ -3,6 +3,7 @@
 
 #include "commands/rhythm_arguments.h"
 
+#include <cmath>
 #include <optional>
 
 #include "anatomy/built_in_anatomy.h"
@@ -100,6 +101,18 @@ double NumberArgument(const std::string& option, const std::string& text) {
                      option + " 22.5");
   }
   return *number;
+}
+
+std::size_t WholeNumberArgument(const std::string& option, const std::string& text,
+                                const WholeNumbers& numbers) {
+  const std::optional<double> number = FiniteNumber(text);
+  if (!number || *number < static_cast<double>(numbers.least) ||
+      *number > static_cast<double>(numbers.most) || *number != std::floor(*number)) {
+    throw InputError(option + " '" + text + "': not a whole number from " +
+                     std::to_string(numbers.least) + " to " + std::to_string(numbers.most) +
+                     ". Give one such as " + option + " " + std::to_string(numbers.example));
+  }
+  return static_cast<std::size_t>(*number);
 }
 
 }  // namespace girdle

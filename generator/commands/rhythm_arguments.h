@@ -5,6 +5,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstddef>
 #include <string>
 
 #include "kinematics/shoulder_rhythm.h"
@@ -50,5 +51,17 @@ void ExpectDerivatives(const std::string& option, const RhythmArguments& argumen
 
 /// Returns the number that `text` is. Throws InputError that names the option and gives an example.
 [[nodiscard]] double NumberArgument(const std::string& option, const std::string& text);
+
+/// The whole numbers that an option takes, and one that a message shows.
+struct WholeNumbers {
+  std::size_t least;
+  std::size_t most;
+  std::size_t example;
+};
+
+/// Returns the number that `text` is. Throws InputError that names the option, the numbers that it
+/// takes and the example.
+[[nodiscard]] std::size_t WholeNumberArgument(const std::string& option, const std::string& text,
+                                              const WholeNumbers& numbers);
 
 }  // namespace girdle

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -147,12 +146,8 @@ int ChosenDigits(const std::optional<std::string>& text) {
   if (!text) {
     return kDefaultDigits;
   }
-  const std::optional<double> number = FiniteNumber(*text);
-  if (!number || *number < 0 || *number > kMostDigits || *number != std::floor(*number)) {
-    throw InputError("--digits '" + *text + "': not a whole number from 0 to " +
-                     std::to_string(kMostDigits) + ". Give one such as --digits 3");
-  }
-  return static_cast<int>(*number);
+  return static_cast<int>(
+      WholeNumberArgument("--digits", *text, {.least = 0, .most = kMostDigits, .example = 3}));
 }
 
 SolveOutput ChosenOutput(const SolveArguments& arguments, const ShoulderRhythm& rhythm) {
@@ -231,12 +226,7 @@ std::size_t ChosenThreads(const std::optional<std::string>& text) {
     // hardware_concurrency returns 0 if the number of cores is not known.
     return std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, kMostThreadsUnasked);
   }
-  const std::optional<double> number = FiniteNumber(*text);
-  if (!number || *number < 1 || *number > kMostThreads || *number != std::floor(*number)) {
-    throw InputError("--threads '" + *text + "': not a whole number from 1 to " +
-                     std::to_string(kMostThreads) + ". Give one such as --threads 2");
-  }
-  return static_cast<std::size_t>(*number);
+  return WholeNumberArgument("--threads", *text, {.least = 1, .most = kMostThreads, .example = 2});
 }
 
 // Returns the unit and the convention of the angles in a file.

@@ -3,12 +3,11 @@
 
 #include "commands/table_arguments.h"
 
-#include <cmath>
 #include <string_view>
 
+#include "commands/rhythm_arguments.h"
 #include "commands/word_argument.h"
 #include "text/input_error.h"
-#include "text/number_text.h"
 
 namespace girdle {
 
@@ -33,8 +32,7 @@ std::vector<NamedColumn> ChosenColumns(const TableArguments& arguments, bool has
   if (!arguments.columns) {
     return {};
   }
-  std::vector<std::string_view> known = {kElevationColumn, kPlaneColumn, kAxialColumn, kShrugColumn,
-                                         kProtractionColumn};
+  std::vector<std::string_view> known(kCommandColumns.begin(), kCommandColumns.end());
   if (has_time) {
     known.insert(known.begin(), kTimeColumn);
   }
@@ -45,14 +43,8 @@ GapReading ChosenGaps(const TableArguments& arguments, GapRule rule) {
   GapReading gaps = {rule};
   ChooseWord("--gaps", arguments.gaps, gaps.rule);
   if (arguments.bridged_rows) {
-    const std::string& text = *arguments.bridged_rows;
-    const std::optional<double> number = FiniteNumber(text);
-    if (!number || *number < 0 || *number > static_cast<double>(kMostBridged) ||
-        *number != std::floor(*number)) {
-      throw InputError("--bridge-gaps '" + text + "': not a whole number from 0 to " +
-                       std::to_string(kMostBridged) + ". Give one such as --bridge-gaps 5");
-    }
-    gaps.bridged_rows = static_cast<std::size_t>(*number);
+    gaps.bridged_rows = WholeNumberArgument("--bridge-gaps", *arguments.bridged_rows,
+                                            {.least = 0, .most = kMostBridged, .example = 5});
   }
   return gaps;
 }

@@ -62,16 +62,11 @@ std::vector<std::string> OptionsOf(const CLI::App& verb) {
 
 // Returns an option by its long name, such as --plane, or nullptr.
 const CLI::Option* OptionOf(const CLI::App& verb, const std::string& name) {
-  for (const CLI::Option* const option : verb.get_options()) {
-    if (option->check_lname(name.substr(std::min<std::size_t>(2, name.size())))) {
-      return option;
-    }
-  }
-  return nullptr;
+  return name.starts_with("--") ? verb.get_option_no_throw(name) : nullptr;
 }
 
 bool HasOption(const CLI::App& verb, const std::string& name) {
-  return name.starts_with("--") && OptionOf(verb, name) != nullptr;
+  return OptionOf(verb, name) != nullptr;
 }
 
 std::vector<std::string_view> ViewsOf(const std::vector<std::string>& words) {
@@ -204,7 +199,7 @@ void ExpectValues(const CLI::App& verb, std::span<const std::string> words) {
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::string& word = words[i];
     const std::string name = word.substr(0, word.find('='));
-    const CLI::Option* const option = HasOption(verb, name) ? OptionOf(verb, name) : nullptr;
+    const CLI::Option* const option = OptionOf(verb, name);
     if (option != nullptr) {
       ExpectValue(word, i + 1 < words.size() ? &words[i + 1] : nullptr, *option);
       const bool is_first = given.insert(option).second;

@@ -451,8 +451,8 @@ std::string RoundingRemark(const ResidualReport& report) {
   return report.passed() || !std::ranges::all_of(report.residuals, is_small)
              ? ""
              : "Every failure is so small that it may come from rounding: MuJoCo saves a model "
-               "with "
-               "six digits. Verify the file that girdle generate wrote, or one that includes it.";
+               "with six digits. Verify the file that girdle generate wrote, or one that includes "
+               "it.";
 }
 
 Residual TimestepResidual(const mjOption& option, Assembly assembly) {

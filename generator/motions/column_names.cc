@@ -56,14 +56,6 @@ bool IsInRadians(const std::string& column) {
   return small.find("rad") != std::string::npos && small.find("radi") != 0;
 }
 
-std::string Joined(std::span<const std::string_view> names) {
-  std::string text;
-  for (const std::string_view name : names) {
-    text += (text.empty() ? "" : ", ") + std::string(name);
-  }
-  return text;
-}
-
 }  // namespace
 
 std::vector<NamedColumn> ReadNamedColumns(std::string_view text,
@@ -227,10 +219,8 @@ std::size_t ColumnNames::Column(std::string_view known) const {
   const std::optional<std::size_t> found = Find(known);
   if (!found) {
     csv_.Fail("column '" + std::string(known) + "' is missing. If it has another name, give " +
-              ColumnsOption(known, "NAME") + ". The header has: " +
-              ShortText(Joined(std::vector<std::string_view>(csv_.columns().begin(),
-                                                             csv_.columns().end())),
-                        kMostShownOfHeader));
+              ColumnsOption(known, "NAME") +
+              ". The header has: " + ShortText(Joined(csv_.columns()), kMostShownOfHeader));
   }
   return *found;
 }

@@ -4,6 +4,7 @@
 /// Names that the columns of arm commands have in the files of other programs.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -21,6 +22,8 @@ inline constexpr const char* kPlaneColumn = "plane_deg";
 inline constexpr const char* kAxialColumn = "axial_deg";
 inline constexpr const char* kShrugColumn = "shrug_deg";
 inline constexpr const char* kProtractionColumn = "protraction_deg";
+inline constexpr std::array<std::string_view, 5> kCommandColumns = {
+    kElevationColumn, kPlaneColumn, kAxialColumn, kShrugColumn, kProtractionColumn};
 /// Name of the column of times [s] of a motion.
 inline constexpr const char* kTimeColumn = "time_s";
 

@@ -29,8 +29,7 @@ double AngleOf(const CsvRows& row, std::size_t column, double number, const Read
 
 // Returns the known names of the columns of commands, then further ones.
 std::vector<std::string_view> KnownNames(const std::vector<std::string_view>& further) {
-  std::vector<std::string_view> known = {kElevationColumn, kPlaneColumn, kAxialColumn, kShrugColumn,
-                                         kProtractionColumn};
+  std::vector<std::string_view> known(kCommandColumns.begin(), kCommandColumns.end());
   known.insert(known.end(), further.begin(), further.end());
   return known;
 }

@@ -12,6 +12,7 @@
 #include "mujoco_search/engine_trial.h"
 #include "text/json_text.h"
 #include "text/same_bytes.h"
+#include "text/split.h"
 #include "text/text_columns.h"
 
 namespace girdle {
@@ -52,14 +53,6 @@ EngineDiagnosis DiagnoseEngine(const FoundEngine& library, const std::filesystem
         "with the plugin that `import mujoco` loads, not with this one: " + trial.problem;
   }
   return engine;
-}
-
-std::string Joined(const std::vector<std::string>& words) {
-  std::string joined;
-  for (const std::string& word : words) {
-    joined += (joined.empty() ? "" : ", ") + word;
-  }
-  return joined;
 }
 
 void AppendRow(std::ostream& out, std::string_view name, const std::string& value) {

@@ -17,6 +17,7 @@
 #include "names/model_names.h"
 #include "text/input_error.h"
 #include "text/near_names.h"
+#include "text/split.h"
 
 namespace girdle {
 namespace {
@@ -167,14 +168,6 @@ bool IsLeftAlone(const mjModel& model) {
 // Returns the visualization group of a geom. MuJoCo counts groups beyond the last as the last.
 int GroupOf(const mjModel& model, int geom) {
   return std::clamp(model.geom_group[geom], 0, mjNGROUP - 1);
-}
-
-std::string Joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) {
-    text += (text.empty() ? "" : ", ") + word;
-  }
-  return text;
 }
 
 // Returns a box around the bodies that are shown, in the model's initial state and in all its

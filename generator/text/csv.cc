@@ -12,6 +12,7 @@
 #include "text/number_text.h"
 #include "text/shown_text.h"
 #include "text/small_letters.h"
+#include "text/split.h"
 
 namespace girdle {
 namespace {
@@ -22,14 +23,6 @@ constexpr const char* kEmptyLine = "empty line between rows. Remove it";
 // Bytes of a block. A block is large against the cost of passing it to another thread. It is small
 // enough that a slow stream and a terminal with progress do not wait for it.
 constexpr std::size_t kBlockSize = 8192;
-
-std::string Joined(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) {
-    text += (text.empty() ? "" : ", ") + name;
-  }
-  return text;
-}
 
 // Takes the first line from `text` and returns it without its line end.
 std::string_view CutLine(std::string_view& text) {

@@ -14,4 +14,15 @@ namespace girdle {
 /// there are separators; parts may be empty. Precondition: `separator` is not empty.
 [[nodiscard]] std::vector<std::string> Split(std::string_view text, std::string_view separator);
 
+/// Returns the texts of a container with ", " between them.
+template <typename Texts>
+[[nodiscard]] std::string Joined(const Texts& texts) {
+  std::string joined;
+  for (const std::string_view text : texts) {
+    joined += joined.empty() ? "" : ", ";
+    joined += text;
+  }
+  return joined;
+}
+
 }  // namespace girdle

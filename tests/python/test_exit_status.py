@@ -12,8 +12,8 @@ import subprocess
 from pathlib import Path
 
 import pytest
+from faults import MEBIBYTE, run_limited
 
-MEBIBYTE = 1 << 20
 USED_UP = 4
 TABLE = Path(__file__).resolve().parents[2] / "data" / "ludewig2009.csv"
 
@@ -34,16 +34,8 @@ def test_memory_that_is_used_up_is_not_called_bad_input(program: Path, tmp_path:
         # A plane of far more elevations than a table has, which are kept until the next plane.
         file.writelines(f"0,{i / 10_000}{zeros[2:]}\n" for i in range(1_000_000))
 
-    def limit_memory() -> None:
-        resource.setrlimit(resource.RLIMIT_AS, (100 * MEBIBYTE, 100 * MEBIBYTE))
-
-    result = subprocess.run(
-        [program, "solve", "--table", table, "--elevation", "30", "--plane", "0"],
-        preexec_fn=limit_memory,
-        capture_output=True,
-        text=True,
-        check=False,
-    )
+    words = ("solve", "--table", table, "--elevation", "30", "--plane", "0")
+    result = run_limited(program, *words, folder=tmp_path, limits={resource.RLIMIT_AS: 100 * MEBIBYTE})
     assert result.returncode == USED_UP, result.stderr
     assert result.stdout == ""
     assert result.stderr.startswith("girdle: the memory is used up. ")
@@ -56,18 +48,8 @@ def test_memory_that_mujoco_lacks_is_not_called_bad_input(program: Path, tmp_pat
     command = ["simulate", "scene.xml", "--elevation", "15:16", "--seconds", "0.01", "--out", "-"]
     said = []
     for limit in range(40, 120, 4):
-
-        def limit_memory(size: int = limit * MEBIBYTE) -> None:
-            resource.setrlimit(resource.RLIMIT_AS, (size, size))
-
-        result = subprocess.run(
-            [program, *command],
-            cwd=tmp_path,
-            preexec_fn=limit_memory,
-            capture_output=True,
-            text=True,
-            check=False,
-        )
+        limits = {resource.RLIMIT_AS: limit * MEBIBYTE}
+        result = run_limited(program, *command, folder=tmp_path, limits=limits)
         if "allocate" in result.stderr or result.returncode == USED_UP:
             said.append((result.returncode, result.stderr))
     assert said
